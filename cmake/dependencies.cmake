@@ -1,0 +1,16 @@
+# Every library comes from Debian 12 (packages.txt); nothing is downloaded.
+# The installed package configuration includes this file too, so that a consumer finds the same ones.
+include(CMakeFindDependencyMacro)
+find_dependency(PkgConfig)
+find_dependency(Boost 1.74)
+find_dependency(CLI11)
+find_dependency(TBB)
+find_dependency(fmt)
+find_dependency(glm)
+find_dependency(nlohmann_json)
+find_dependency(pugixml)
+find_dependency(tomlplusplus)
+# By pkg-config, since Debian's OpenImageIOConfig.cmake demands the headers of OpenCV.
+pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
+pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
+pkg_check_modules(sleef REQUIRED IMPORTED_TARGET sleef)

@@ -1,0 +1,13 @@
+# Install and export: a consumer writes find_package(shatterpave) and links shatterpave::shatterpave.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS shatterpave shatterpave_repeatable EXPORT shatterpave)
+install(TARGETS shatterpave_command RUNTIME)
+install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shatterpave FILES_MATCHING PATTERN "*.h")
+install(EXPORT shatterpave NAMESPACE shatterpave:: FILE shatterpaveTargets.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/shatterpave)
+configure_package_config_file(cmake/shatterpaveConfig.cmake.in ${PROJECT_BINARY_DIR}/shatterpaveConfig.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/shatterpave)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/shatterpaveConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/shatterpaveConfig.cmake ${PROJECT_BINARY_DIR}/shatterpaveConfigVersion.cmake
+        cmake/dependencies.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/shatterpave)

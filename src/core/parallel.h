@@ -1,0 +1,28 @@
+// The one file with threads. One writer per slot; the number of threads must not show in any result.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace shatterpave {
+
+// Limits the threads of every `parallel_for` while it lives; 0 takes all processors.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  void* control_;
+};
+
+// Calls `body(i)` for every i in [0, count), in any order, on any thread. `body` may write only to slots of its own i.
+// An exception of a call is thrown here.
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
+
+// As above for whole chunks [begin, end): for cheap bodies. Chunks are fixed, `chunk` long.
+void parallel_for_chunks(std::size_t count, std::size_t chunk, const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+}  // namespace shatterpave

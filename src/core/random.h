@@ -1,0 +1,79 @@
+// Random draws by address: nothing is "next". A draw is a pure function of (seed, address), so the order in which draws are
+// made, the number of threads and what else a scene holds do not show in it.
+//
+// The generator is Philox 4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC11), from Random123.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace shatterpave {
+
+// What a draw is for. Values are fixed for ever: renumbering one changes every user's pictures. Append only.
+enum class Stream : std::uint32_t {
+  radial_count = 1,         // M of an impact (eq. 5)
+  large_speed = 2,          // eq. 9
+  radial_speed = 3,         // eq. 10
+  ring_radius = 4,          // eq. 8
+  ring_speed = 5,           // eq. 11
+  turn = 6,                 // F3, a draw for each tip and step
+  first_direction = 7,      // direction of the first radial, and phase of the rings
+  large_choice = 8,         // which of the radials are large
+  stone_seed = 20,          // jitter of a seed of the packing
+  packing = 21,             // annealing, a draw for each particle and step
+  stone_height = 22,        // surface of a stone
+  stone_inset = 23,
+  stone_colour = 24,
+  stone_relief = 25,        // place of a stone in the relief
+  relief_lattice = 26,      // gradients of the fractal surface
+  stone_tilt = 27,
+  debris = 40,              // crushed zone and other litter about an impact
+};
+
+// Identity of an element, made from what it *is*: its names and its places among its siblings, never from a running
+// counter over unlike things.
+class Id {
+ public:
+  constexpr Id() = default;
+  // FNV-1a, so that it is the same everywhere.
+  constexpr explicit Id(std::string_view name) {
+    for (const char c : name) mix(static_cast<unsigned char>(c));
+  }
+  // The `index`-th child of this.
+  constexpr Id child(std::uint64_t index) const {
+    Id id = *this;
+    for (int byte = 0; byte < 8; ++byte) id.mix(static_cast<unsigned char>(index >> (8 * byte)));
+    return id;
+  }
+  constexpr Id child(std::string_view name) const {
+    Id id = *this;
+    for (const char c : name) id.mix(static_cast<unsigned char>(c));
+    id.mix(0);
+    return id;
+  }
+  constexpr std::uint64_t value() const { return value_; }
+  constexpr bool operator==(const Id&) const = default;
+
+ private:
+  constexpr void mix(unsigned char byte) {
+    value_ ^= byte;
+    value_ *= 0x100000001b3ULL;
+  }
+  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+// Where a draw stands: what for, of which element, and the how-many-eth of its kind.
+struct Address {
+  Stream stream;
+  Id element;
+  std::uint32_t draw = 0;
+};
+
+// Uniform over [0, 1), a multiple of 2^-53.
+double uniform(std::uint64_t seed, const Address& address);
+// Standard normal; |result| < 8.6, since 1 - u >= 2^-53.
+double normal(std::uint64_t seed, const Address& address);
+// Poisson with mean >= 0, by inversion; mean <= 1e6.
+int poisson(std::uint64_t seed, const Address& address, double mean);
+
+}  // namespace shatterpave

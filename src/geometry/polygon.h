@@ -1,0 +1,41 @@
+// Polygons and regions.
+#pragma once
+
+#include <vector>
+
+#include "core/vec.h"
+
+namespace shatterpave::geometry {
+
+// A simple polygon: its vertices in order, the first not repeated at the end.
+using Polygon = std::vector<vec2>;
+
+// A polygon with holes. `outline` runs counter-clockwise, `holes` clockwise; holes lie inside and do not overlap; they may
+// touch the outline or one another in single points. All vertices lie on the lattice.
+struct Region {
+  Polygon outline;
+  std::vector<Polygon> holes;
+
+  bool operator==(const Region&) const = default;
+};
+
+struct Box {
+  vec2 low{0.0, 0.0};
+  vec2 high{0.0, 0.0};
+};
+
+// Signed: positive for counter-clockwise; mm².
+double area(const Polygon& polygon);
+double area(const Region& region);
+
+vec2 centroid(const Polygon& polygon);
+
+// The smallest box about the polygon, which must not be empty.
+Box bounding_box(const Polygon& polygon);
+
+// Whether `point` lies inside or on the border, exact on the lattice.
+bool contains(const Polygon& polygon, vec2 point);
+// Inside the outline or on a border, and not inside a hole.
+bool contains(const Region& region, vec2 point);
+
+}  // namespace shatterpave::geometry

@@ -1,0 +1,32 @@
+// What paving makes of a pavement: its stones, as outlines in the plane.
+#pragma once
+
+#include <vector>
+
+#include "core/angle.h"
+#include "geometry/polygon.h"
+
+namespace shatterpave::paving {
+
+enum class StoneKind {
+  whole,
+  cut,  // the outline or a hole took part of it
+};
+
+struct Stone {
+  int id = 0;                    // its index
+  StoneKind kind = StoneKind::whole;
+  geometry::Polygon outline_mm;  // its face before edges are rounded; counter-clockwise, simple, on the lattice
+  Angle angle;                   // of its rows, from +x
+
+  bool operator==(const Stone&) const = default;
+};
+
+// Stones do not overlap, and lie within the area of their pavement: exactly, on the lattice. Neighbours are a joint apart.
+struct StoneLayout {
+  std::vector<Stone> stones;
+
+  bool operator==(const StoneLayout&) const = default;
+};
+
+}  // namespace shatterpave::paving

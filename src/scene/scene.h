@@ -1,0 +1,30 @@
+// A scene as plain values: all that the program can be asked for.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "glass/pane.h"
+#include "paving/pavement.h"
+
+namespace shatterpave::scene {
+
+// How the scene is shown as a still: the name of a template of `templates/` (without its ending), or empty for the default,
+// which is "window_still" where there is a pane, else "path_still".
+struct Still {
+  std::string setting;
+  bool operator==(const Still&) const = default;
+};
+
+struct Scene {
+  std::string name;          // stem of the scene file; names the output files
+  std::uint64_t seed = 1;
+  std::vector<glass::Pane> panes;
+  std::vector<paving::Pavement> pavements;
+  Still still;
+
+  bool operator==(const Scene&) const = default;
+};
+
+}  // namespace shatterpave::scene

@@ -1,0 +1,92 @@
+#include "relief/raster.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "core/error.h"
+#include "core/functions.h"
+
+namespace shatterpave::relief {
+
+namespace {
+
+OIIO::ImageSpec specification(const Raster& raster, RasterFormat format) {
+  const bool exr = format == RasterFormat::exr_half || format == RasterFormat::exr_float;
+  OIIO::TypeDesc type = OIIO::TypeDesc::UINT8;
+  if (format == RasterFormat::png16) type = OIIO::TypeDesc::UINT16;
+  if (format == RasterFormat::exr_half) type = OIIO::TypeDesc::HALF;
+  if (format == RasterFormat::exr_float) type = OIIO::TypeDesc::FLOAT;
+  OIIO::ImageSpec spec(static_cast<int>(raster.width), static_cast<int>(raster.height), static_cast<int>(raster.channels),
+                       type);
+  if (exr) {
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "");  // or the writer would put the present time here
+  }
+  return spec;
+}
+
+float srgb(float linear) {
+  const double value = std::clamp(static_cast<double>(linear), 0.0, 1.0);
+  return static_cast<float>(value <= 0.0031308 ? 12.92 * value : 1.055 * power(value, 1.0 / 2.4) - 0.055);
+}
+
+}  // namespace
+
+std::string encoded(const Raster& raster, RasterFormat format) {
+  ENSURE(raster.values.size() == raster.width * raster.height * raster.channels);
+  const bool exr = format == RasterFormat::exr_half || format == RasterFormat::exr_float;
+  const std::string name = exr ? "memory.exr" : "memory.png";  // picks the writer; no file of that name is made
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(name, &memory);
+  ENSURE(output != nullptr);
+  ENSURE(output->open(name, specification(raster, format)));
+  ENSURE(output->write_image(OIIO::TypeDesc::FLOAT, raster.values.data()));
+  ENSURE(output->close());
+  return {bytes.begin(), bytes.end()};
+}
+
+Raster read_raster(const std::string& path) {
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
+  const auto fail = [&](const std::string& reason) {
+    throw InputError(Place{path, 0, 0, {}}, "expected an image that can be read, got: " + reason);
+  };
+  if (!input) fail(OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  Raster raster{static_cast<std::size_t>(spec.width),
+                static_cast<std::size_t>(spec.height),
+                static_cast<std::size_t>(spec.nchannels),
+                {}};
+  raster.values.resize(raster.width * raster.height * raster.channels);
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, raster.values.data())) fail(input->geterror());
+  return raster;
+}
+
+Raster display(const Raster& linear) {
+  const std::size_t kept = std::min<std::size_t>(linear.channels, 3);
+  Raster shown{linear.width, linear.height, kept, {}};
+  shown.values.reserve(linear.width * linear.height * kept);
+  for (std::size_t pixel = 0; pixel < linear.width * linear.height; ++pixel) {
+    for (std::size_t channel = 0; channel < kept; ++channel) {
+      shown.values.push_back(srgb(linear.values[pixel * linear.channels + channel]));
+    }
+  }
+  return shown;
+}
+
+HeightImage height_image(const HeightField& field) {
+  HeightImage image{{field.width, field.height, 1, std::vector<float>(field.heights_mm.size(), 0.0F)}, 0.0, 0.0};
+  if (field.heights_mm.empty()) return image;
+  const auto [lowest, highest] = std::ranges::minmax(field.heights_mm);
+  image.low_mm = lowest;
+  image.range_mm = highest - lowest;
+  if (image.range_mm == 0.0) return image;
+  std::ranges::transform(field.heights_mm, image.raster.values.begin(),
+                         [&](double height) { return static_cast<float>((height - lowest) / image.range_mm); });
+  return image;
+}
+
+}  // namespace shatterpave::relief

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Fails where a source file includes what its room may not, by the table in docs/architecture.md, or where it names what
+# one file of the project alone may name. Each finding is one line, file:line: what is wrong.
+#   include_rules.sh [ROOT]   ROOT: of the project, default this one
+set -euo pipefail
+root=${1:-$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)}
+cd "$root"
+
+# The table's rows as "room allowed allowed …".
+rules=$(awk -F'|' '
+  /^## / { inside = /who may include whom/ }
+  inside && $2 ~ /^ `[a-z]+` $/ { gsub(/[`–]/, ""); print $2, $4 }' docs/architecture.md)
+[[ -n $rules ]] || { echo "docs/architecture.md: no table of rooms found" >&2; exit 1; }
+
+# shellcheck disable=SC2016  # A backquote of the table, no expansion.
+find src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk -v rules="$rules" '
+  BEGIN {
+    count = split(rules, line, "\n")
+    for (i = 1; i <= count; ++i) {
+      n = split(line[i], word, " ")
+      known[word[1]] = 1
+      for (j = 1; j <= n; ++j) allowed[word[1], word[j]] = 1
+    }
+  }
+  function wrong(what) { printf "%s:%d: %s\n", FILENAME, FNR, what; ++failures }
+
+  FNR == 1 {
+    split(FILENAME, path, "/")
+    product = path[1] == "src"
+    room = path[2]
+    if (product && !(room in known)) wrong("the room " room " is not in docs/architecture.md")
+  }
+  { code = $0; sub(/\/\/.*/, "", code) }
+
+  product && match(code, /^[ \t]*#[ \t]*include[ \t]*"[^"]+"/) {
+    split(code, quoted, "\"")
+    split(quoted[2], target, "/")
+    if (!(target[1] in known)) wrong("\"" quoted[2] "\" is in no room")
+    else if (!((room, target[1]) in allowed) && !((room, quoted[2]) in allowed))
+      wrong(room " may not include " quoted[2])
+  }
+  /^[ \t]*#[ \t]*include[ \t]*[<"]glm\// && FILENAME != "src/core/vec.h" { wrong("GLM is included in core/vec.h alone") }
+  /^[ \t]*#[ \t]*include[ \t]*<(thread|future|mutex|tbb\/.*|oneapi\/tbb.*)>/ && product && FILENAME != "src/core/parallel.cpp" {
+    wrong("threads are started in core/parallel.cpp alone")
+  }
+  /^[ \t]*#[ \t]*include[ \t]*<OpenImageIO\// && room != "relief" && !(FILENAME ~ /^tests\/(render|relief)\//) {
+    wrong("OpenImageIO is included in relief alone")
+  }
+  product && code ~ /(^|[^_a-zA-Z0-9:.>])(std::|glm::|::)?(sinh?|cosh?|tanh?|asinh?|acosh?|atanh?|atan2|exp2?|expm1|log(2|10|1p)?|pow|cbrt|hypot|tgamma|lgamma|erfc?)[ \t]*\(/ {
+    wrong("the C library'"'"'s functions differ between processors; use core/functions.h")
+  }
+  product && code ~ /std::[a-z_]+_distribution|std::random_device|std::(default_random_engine|mt19937)/ {
+    wrong("draws are made by address, with core/random.h")
+  }
+  product && room != "cli" && code ~ /std::(cout|cerr|clog)|(^|[^a-zA-Z_:])(fmt::print|f?printf|puts)[ \t]*\(/ {
+    wrong("only cli prints")
+  }
+  END { exit failures > 0 }'

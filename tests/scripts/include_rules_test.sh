@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# The include rules must hold here, and must fail on each kind of file that breaks one.
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+rules=$root/.ci/include_rules.sh
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+"$rules" "$root"
+
+mkdir -p "$scratch/docs" "$scratch/src/glass" "$scratch/src/export" "$scratch/tests"
+cp "$root/docs/architecture.md" "$scratch/docs/"
+
+# expect STATUS FILE LINE: a project whose only file is FILE, holding LINE.
+expect() {
+  local status=0 found
+  printf '%s\n' "$3" >"$scratch/$2"
+  found=$("$rules" "$scratch" 2>&1) || status=1
+  rm "$scratch/$2"
+  if ((status != $1)); then
+    printf 'in %s, "%s": expected status %d, got %d\n%s\n' "$2" "$3" "$1" "$status" "$found"
+    exit 1
+  fi
+  if (($1 == 1)) && [[ $found != "$2:1: "* ]]; then
+    printf 'the finding does not start with its place: %s\n' "$found"
+    exit 1
+  fi
+}
+
+expect 0 src/glass/growth.cpp '#include "glass/pane.h"'
+expect 0 src/glass/growth.cpp '#include "geometry/polygon.h"'
+expect 0 src/export/model.h '#include "glass/pane.h"'
+expect 0 src/glass/growth.cpp '// sin(x) is a comment; asin_table(3) is another name'
+expect 0 src/glass/growth.cpp 'const double root = std::sqrt(2.0) + cosine(1.0) + table.log(3);'
+expect 1 src/glass/growth.cpp '#include "paving/pavement.h"'
+expect 1 src/glass/growth.cpp '  #  include "cli/messages.h"'
+expect 1 src/glass/growth.cpp '#include "nowhere/else.h"'
+expect 1 src/export/model.h '#include "glass/growth.h"'
+expect 1 src/glass/growth.cpp '#include <glm/vec2.hpp>'
+expect 1 src/glass/growth.cpp '#include <thread>'
+expect 1 src/glass/growth.cpp '#include <OpenImageIO/imageio.h>'
+expect 1 src/glass/growth.cpp 'const double x = std::sin(angle);'
+expect 1 src/glass/growth.cpp 'return 2 * pow(a, b);'
+expect 1 src/glass/growth.cpp 'std::normal_distribution<double> law;'
+expect 1 src/glass/growth.cpp 'std::cerr << "no";'
+mkdir "$scratch/src/attic"
+expect 1 src/attic/thing.cpp 'int x = 0;'

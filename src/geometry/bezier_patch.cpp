@@ -1,0 +1,39 @@
+#include "geometry/bezier_patch.h"
+
+namespace shatterpave::geometry {
+
+namespace {
+
+using Weights = std::array<double, 4>;
+
+Weights bernstein(double t) {
+  const double s = 1.0 - t;
+  return {s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t};
+}
+
+Weights bernstein_derivative(double t) {
+  const double s = 1.0 - t;
+  return {-3.0 * s * s, 3.0 * s * s - 6.0 * s * t, 6.0 * s * t - 3.0 * t * t, 3.0 * t * t};
+}
+
+vec3 weighted(const BezierPatch& patch, const Weights& rows, const Weights& columns) {
+  vec3 sum{0.0, 0.0, 0.0};
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) sum += rows[row] * columns[column] * patch.at(row, column);
+  }
+  return sum;
+}
+
+}  // namespace
+
+vec3 point(const BezierPatch& patch, double u, double v) { return weighted(patch, bernstein(u), bernstein(v)); }
+
+vec3 derivative_u(const BezierPatch& patch, double u, double v) {
+  return weighted(patch, bernstein_derivative(u), bernstein(v));
+}
+
+vec3 derivative_v(const BezierPatch& patch, double u, double v) {
+  return weighted(patch, bernstein(u), bernstein_derivative(v));
+}
+
+}  // namespace shatterpave::geometry

@@ -1,0 +1,27 @@
+// Cubic Bézier patches in space.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/vec.h"
+
+namespace shatterpave::geometry {
+
+// Tensor-product patch of 16 control points, row by row: the point 4 * row + column belongs to B_row(u) B_column(v), where B
+// are the cubic Bernstein polynomials. Its corners are the control points 0 (u = v = 0), 3 (v = 1), 15 and 12 (u = 1).
+struct BezierPatch {
+  std::array<vec3, 16> control_points{};
+
+  vec3& at(std::size_t row, std::size_t column) { return control_points[4 * row + column]; }
+  const vec3& at(std::size_t row, std::size_t column) const { return control_points[4 * row + column]; }
+
+  bool operator==(const BezierPatch&) const = default;
+};
+
+// u and v in [0, 1].
+vec3 point(const BezierPatch& patch, double u, double v);
+vec3 derivative_u(const BezierPatch& patch, double u, double v);
+vec3 derivative_v(const BezierPatch& patch, double u, double v);
+
+}  // namespace shatterpave::geometry

@@ -1,0 +1,302 @@
+// The split surface, side by side with the paper's single patch:
+//
+//   All patches are bilinear in the plane, and their heights are z = f + G, where G, the dome, is one quadratic polynomial of
+//   (x, y) for the whole piece. Bilinear in (x, y) means that G is of degree (2, 2) in (u, v), so it is represented exactly,
+//   and adding it to patches that meet smoothly leaves them so. It remains to choose f, the shoulder: with heights 0, h, h, h
+//   of the control points from the outline inwards it is h (1 − (1 − t)³), steep at the outline and level at the crown.
+//   - A corner patch is a parallelogram of corner, two points on the sides and a corner of the crown; f is the product of the
+//     shoulders of both its sides.
+//   - Two side patches lie between the corner patches of a side's ends. At the borders along the ring all derivatives across
+//     have f constant and are parallel to the side, so the tangent planes agree.
+//   - The crown is level in f, and is split by its centre and the middles of its sides into one four-sided patch a corner.
+#include "paving/stone_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "core/error.h"
+
+namespace shatterpave::paving {
+
+using geometry::BezierPatch;
+using geometry::Polygon;
+
+namespace {
+
+const vec2& cyclic(const Polygon& polygon, std::size_t i) { return polygon[i % polygon.size()]; }
+const vec2& before(const Polygon& polygon, std::size_t i) { return cyclic(polygon, i + polygon.size() - 1); }
+
+// Distance of vertex i from the line through its neighbours; positive where the corner is convex.
+double prominence(const Polygon& polygon, std::size_t i) {
+  const vec2 chord = cyclic(polygon, i + 1) - before(polygon, i);
+  const double length = glm::length(chord);
+  if (length == 0.0) return 0.0;
+  return cross(polygon[i] - before(polygon, i), chord) / length;
+}
+
+std::size_t least_corner(const Polygon& polygon) {
+  std::size_t least = 0;
+  for (std::size_t i = 1; i < polygon.size(); ++i) {
+    if (std::abs(prominence(polygon, i)) < std::abs(prominence(polygon, least))) least = i;
+  }
+  return least;
+}
+
+void remove_vertex(Polygon& polygon, std::size_t i) { polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i)); }
+
+// ---- convex pieces
+
+struct Cut {
+  std::size_t side = 0;  // from vertex `side` to the next
+  vec2 end{0.0, 0.0};
+  double length = std::numeric_limits<double>::infinity();
+};
+
+// Where the ray from the reflex corner `from` along `direction` first meets a side that does not end in that corner.
+Cut first_hit(const Polygon& polygon, std::size_t from, vec2 direction) {
+  Cut best;
+  const std::size_t count = polygon.size();
+  for (std::size_t side = 0; side < count; ++side) {
+    if (side == from || (side + 1) % count == from) continue;
+    const vec2 along = cyclic(polygon, side + 1) - polygon[side];
+    const vec2 offset = polygon[side] - polygon[from];
+    const double sine_of_angle = cross(direction, along);
+    if (sine_of_angle == 0.0) continue;
+    const double distance = cross(offset, along) / sine_of_angle;
+    const double place = cross(offset, direction) / sine_of_angle;
+    if (distance <= 0.0 || place < 0.0 || place > 1.0 || distance >= best.length) continue;
+    best = {side, polygon[side] + place * along, distance};
+  }
+  return best;
+}
+
+// The vertices from `first` to `last`, in cyclic order.
+Polygon chain(const Polygon& polygon, std::size_t first, std::size_t last) {
+  Polygon part;
+  for (std::size_t i = first;; ++i) {
+    part.push_back(cyclic(polygon, i));
+    if (i % polygon.size() == last % polygon.size()) return part;
+  }
+}
+
+// Cuts at reflex corners, along the shorter continuation of one of their sides, until no piece has any.
+std::vector<Polygon> convex_pieces(const Polygon& polygon, double tolerance_mm) {
+  std::vector<Polygon> pieces;
+  std::vector<Polygon> waiting = {polygon};
+  while (!waiting.empty()) {
+    const Polygon piece = corners(waiting.back(), tolerance_mm);
+    waiting.pop_back();
+    std::optional<std::size_t> reflex;
+    for (std::size_t i = 0; i < piece.size() && !reflex; ++i) {
+      if (prominence(piece, i) < 0.0) reflex = i;
+    }
+    if (!reflex || piece.size() <= 3) {
+      pieces.push_back(piece);
+      continue;
+    }
+    const std::size_t at = *reflex;
+    const Cut onward = first_hit(piece, at, glm::normalize(piece[at] - before(piece, at)));
+    const Cut backward = first_hit(piece, at, glm::normalize(piece[at] - cyclic(piece, at + 1)));
+    const Cut& cut = onward.length <= backward.length ? onward : backward;
+    ENSURE(cut.length < std::numeric_limits<double>::infinity());
+    Polygon left = chain(piece, at, cut.side);
+    left.push_back(cut.end);
+    Polygon right = chain(piece, cut.side + 1, at);
+    right.push_back(cut.end);
+    waiting.push_back(left);
+    waiting.push_back(right);
+  }
+  return pieces;
+}
+
+// ---- one patch over four corners
+
+vec2 bilinear(const std::array<vec2, 4>& quad, double u, double v) {
+  return (1.0 - u) * ((1.0 - v) * quad[0] + v * quad[3]) + u * ((1.0 - v) * quad[1] + v * quad[2]);
+}
+
+// The paper's patch. `quad` is convex and counter-clockwise.
+BezierPatch single_patch(const std::array<vec2, 4>& quad, const StoneDraws& draws) {
+  const vec2 centre = 0.25 * (quad[0] + quad[1] + quad[2] + quad[3]);
+  // The control points along the sides stand at D as well, so that the places of the rows do not depend on the column.
+  const std::array<double, 4> inner = {0.0, draws.inset, 1.0 - draws.inset, 1.0};
+  BezierPatch patch;
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      const vec2 place = bilinear(quad, inner[row], inner[column]);
+      const bool raised = (row == 1 || row == 2) && (column == 1 || column == 2);
+      const double height = raised ? std::max(0.0, draws.height_mm + glm::dot(draws.slope, place - centre)) : 0.0;
+      patch.at(row, column) = {place.x, place.y, height};
+    }
+  }
+  return patch;
+}
+
+// ---- the split surface over a convex polygon of any number of corners
+
+// The height of the top of the single patch, over that of its inner control points: (3 · ½ · ½)².
+constexpr double top_of_single_patch = 9.0 / 16.0;
+
+// How far the dome falls from its centre to half the size of the stone, as a fraction of its height: as the single patch does
+// from its centre to its shoulder. By eye, so that cut stones do not look flatter than whole ones.
+constexpr double dome_fall = 0.25;
+
+// The shoulder is as steep at the outline as that of the single patch, 2.25 h / (D · size), if it is this many D · size wide.
+constexpr double shoulder_of_inset = 3.0 * top_of_single_patch / 2.25;
+constexpr double narrowest_shoulder = 0.06;  // fractions of the size; by eye: narrower ones look like cut edges,
+constexpr double widest_shoulder = 0.25;     // wider ones meet in the middle
+constexpr double least_shoulder = 0.03;      // below that, corners are left out until the shoulder is wider
+constexpr double used_of_feasible = 0.8;     // of the width at which the crown would lose a side
+
+struct Dome {
+  vec2 centre{0.0, 0.0};
+  double curvature = 0.0;  // G = −curvature · distance²
+
+  // G in blossomed form: the value that two points contribute to, symmetric and linear in each; blossom(p, p) = G(p).
+  double blossom(vec2 p, vec2 q) const { return -curvature * glm::dot(p - centre, q - centre); }
+};
+
+// Sine of the angle at corner i.
+double corner_sine(const Polygon& polygon, std::size_t i) {
+  return cross(glm::normalize(polygon[i] - before(polygon, i)), glm::normalize(cyclic(polygon, i + 1) - polygon[i]));
+}
+
+double corner_cosine(const Polygon& polygon, std::size_t i) {
+  return glm::dot(glm::normalize(polygon[i] - before(polygon, i)), glm::normalize(cyclic(polygon, i + 1) - polygon[i]));
+}
+
+// The width of the shoulder at which a side is used up: by the parallelograms at its ends, or within the crown.
+double feasible_shoulder(const Polygon& polygon) {
+  double width = std::numeric_limits<double>::infinity();
+  const auto on_outline = [&](std::size_t i) { return 1.0 / corner_sine(polygon, i); };
+  // Of the inner angle θ, cot(θ/2) = (1 + cos θ) / sin θ; the turn is π − θ.
+  const auto on_crown = [&](std::size_t i) { return (1.0 - corner_cosine(polygon, i)) / corner_sine(polygon, i); };
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t next = (i + 1) % polygon.size();
+    const double length = glm::length(polygon[next] - polygon[i]);
+    width = std::min({width, length / (on_outline(i) + on_outline(next)), length / (on_crown(i) + on_crown(next))});
+  }
+  return used_of_feasible * width;
+}
+
+// A patch bilinear in the plane over `quad`, with `shoulder(row, column)` as control heights of f, and the dome added.
+BezierPatch domed_patch(const std::array<vec2, 4>& quad, const Dome& dome,
+                        const std::function<double(std::size_t, std::size_t)>& shoulder) {
+  // G of bidegree (2, 2) by its blossom: control point (i, j) is the mean of G over the ways to choose i of 2 and j of 2.
+  const auto quadratic = [&](std::size_t i, std::size_t j) {
+    const auto corner = [&](std::size_t u, std::size_t v) { return quad[v == 0 ? u : 3 - u]; };
+    const std::array<std::size_t, 2> us = {i == 2 ? 1U : 0U, i >= 1 ? 1U : 0U};
+    const std::array<std::size_t, 2> vs = {j == 2 ? 1U : 0U, j >= 1 ? 1U : 0U};
+    return 0.5 * (dome.blossom(corner(us[0], vs[0]), corner(us[1], vs[1])) +
+                  dome.blossom(corner(us[0], vs[1]), corner(us[1], vs[0])));
+  };
+  // Degree raised from 2 to 3: (q0, (q0 + 2 q1) / 3, (2 q1 + q2) / 3, q2).
+  constexpr std::array<std::array<double, 3>, 4> raise = {
+      {{1.0, 0.0, 0.0}, {1.0 / 3.0, 2.0 / 3.0, 0.0}, {0.0, 2.0 / 3.0, 1.0 / 3.0}, {0.0, 0.0, 1.0}}};
+  BezierPatch patch;
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      double height = shoulder(row, column);
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) height += raise[row][i] * raise[column][j] * quadratic(i, j);
+      }
+      const vec2 place = bilinear(quad, static_cast<double>(row) / 3.0, static_cast<double>(column) / 3.0);
+      patch.at(row, column) = {place.x, place.y, height};
+    }
+  }
+  return patch;
+}
+
+// The ring of corner and side patches, and the crown, as the head of this file tells.
+std::vector<BezierPatch> split_patches(const Polygon& polygon, double width, const StoneDraws& draws) {
+  const std::size_t count = polygon.size();
+  const double size = std::sqrt(geometry::area(polygon));
+  const double rise = top_of_single_patch * draws.height_mm;
+  const Dome dome{geometry::centroid(polygon), dome_fall * rise / (0.25 * size * size)};
+  const auto along = [&](std::size_t i) { return glm::normalize(cyclic(polygon, i + 1) - cyclic(polygon, i)); };
+  const auto reach = [&](std::size_t i) { return width / corner_sine(polygon, i % count); };
+  Polygon crown(count);
+  for (std::size_t i = 0; i < count; ++i) crown[i] = polygon[i] + reach(i) * (along(i) - along(i + count - 1));
+  const vec2 middle = geometry::centroid(crown);
+
+  std::vector<BezierPatch> patches;
+  patches.reserve(4 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = (i + 1) % count;
+    const vec2 leaving = polygon[i] + reach(i) * along(i);
+    const vec2 arriving = polygon[i] - reach(i) * along(i + count - 1);
+    const vec2 far = polygon[next] - reach(next) * along(i);
+    patches.push_back(domed_patch({polygon[i], leaving, crown[i], arriving}, dome, [rise](std::size_t row, std::size_t column) {
+      return row == 0 || column == 0 ? 0.0 : rise;
+    }));
+    const vec2 side_middle = 0.5 * (crown[i] + crown[next]);
+    const vec2 outline_middle = 0.5 * (leaving + far);
+    for (const std::array<vec2, 4>& quad : {std::array{leaving, outline_middle, side_middle, crown[i]},
+                                            std::array{outline_middle, far, crown[next], side_middle}}) {
+      patches.push_back(domed_patch(quad, dome, [rise](std::size_t, std::size_t column) { return column == 0 ? 0.0 : rise; }));
+    }
+    const vec2 side_before = 0.5 * (crown[i] + before(crown, i));
+    patches.push_back(
+        domed_patch({crown[i], side_middle, middle, side_before}, dome, [rise](std::size_t, std::size_t) { return rise; }));
+  }
+  return patches;
+}
+
+std::vector<BezierPatch> convex_patches(Polygon polygon, const StoneDraws& draws) {
+  const double size = std::sqrt(geometry::area(polygon));
+  while (polygon.size() > 4 && feasible_shoulder(polygon) < least_shoulder * size)
+    remove_vertex(polygon, least_corner(polygon));
+  if (polygon.size() == 4) return {single_patch({polygon[0], polygon[1], polygon[2], polygon[3]}, draws)};
+  const double wanted = std::clamp(shoulder_of_inset * draws.inset, narrowest_shoulder, widest_shoulder) * size;
+  return split_patches(polygon, std::min(wanted, feasible_shoulder(polygon)), draws);
+}
+
+// Largest tilt of a stone, as a rise per mm: 1°. By eye, because less does not show and more looks like a neglected path.
+constexpr double largest_slope = 0.0175;
+
+}  // namespace
+
+Polygon corners(const Polygon& outline, double tolerance_mm) {
+  Polygon kept = outline;
+  while (kept.size() > 3) {
+    const std::size_t least = least_corner(kept);
+    if (std::abs(prominence(kept, least)) > tolerance_mm) break;
+    remove_vertex(kept, least);
+  }
+  return kept;
+}
+
+StoneDraws stone_draws(const Pavement& pavement, std::uint64_t seed, int stone_id) {
+  const Id id = Id(pavement.name).child(static_cast<std::uint64_t>(stone_id));
+  const auto draw = [&](Stream stream, std::uint32_t index) { return uniform(seed, {stream, id, index}); };
+  const auto around_zero = [&](Stream stream, std::uint32_t index) { return 2.0 * draw(stream, index) - 1.0; };
+  const StoneSurface& surface = pavement.surface;
+  StoneDraws draws;
+  draws.height_mm = surface.height_mm * (1.0 + surface.height_spread * around_zero(Stream::stone_height, 0));
+  draws.inset = std::clamp(surface.inset * (1.0 + surface.inset_spread * around_zero(Stream::stone_inset, 0)), 0.0, 0.5);
+  draws.slope = largest_slope * vec2{around_zero(Stream::stone_tilt, 0), around_zero(Stream::stone_tilt, 1)};
+  draws.colour = draw(Stream::stone_colour, 0);
+  draws.relief_place = {draw(Stream::stone_relief, 0), draw(Stream::stone_relief, 1)};
+  draws.relief_turn = Angle::radians(2.0 * pi * draw(Stream::stone_relief, 2));
+  return draws;
+}
+
+std::vector<BezierPatch> surface_patches(const Polygon& outline, const StoneDraws& draws) {
+  ENSURE(outline.size() >= 3);
+  const double tolerance_mm = corner_tolerance * std::sqrt(std::abs(geometry::area(outline)));
+  std::vector<BezierPatch> patches;
+  for (const Polygon& piece : convex_pieces(outline, tolerance_mm)) {
+    if (geometry::area(piece) <= 0.0) continue;
+    const std::vector<BezierPatch> part = convex_patches(piece, draws);
+    patches.insert(patches.end(), part.begin(), part.end());
+  }
+  return patches;
+}
+
+double bed_level_mm(const StoneSurface& surface) { return 0.05 * surface.height_mm; }
+
+}  // namespace shatterpave::paving

@@ -40,7 +40,7 @@ find src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk -v rules
       wrong(room " may not include " quoted[2])
   }
   /^[ \t]*#[ \t]*include[ \t]*[<"]glm\// && FILENAME != "src/core/vec.h" { wrong("GLM is included in core/vec.h alone") }
-  /^[ \t]*#[ \t]*include[ \t]*<(thread|future|mutex|tbb\/.*|oneapi\/tbb.*)>/ && product && FILENAME != "src/core/parallel.cpp" {
+  /^[ \t]*#[ \t]*include[ \t]*<(thread|future|tbb\/.*|oneapi\/tbb.*)>/ && product && FILENAME != "src/core/parallel.cpp" {
     wrong("threads are started in core/parallel.cpp alone")
   }
   /^[ \t]*#[ \t]*include[ \t]*<OpenImageIO\// && room != "relief" && !(FILENAME ~ /^tests\/(render|relief)\//) {

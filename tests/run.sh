@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every test: sets up, builds, runs unit, golden-image, script and consumer tests. The last line says how many ran.
-# Arguments are handed to ctest: `tests/run.sh -R Predicates` runs some, `-LE render` leaves out those that render.
+# Arguments are handed to ctest: `tests/run.sh -R Predicates` runs some, `-E Render` leaves out those that render.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=../.ci/setup.sh

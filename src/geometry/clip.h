@@ -1,0 +1,30 @@
+// Boolean operations and offsets of polygons: a thin front over Clipper (polyclipping), on the lattice.
+//
+// Operands are read as the sets of points that they enclose. Results are regions on the lattice: outlines counter-clockwise,
+// holes clockwise, without repeated or collinear vertices. A vertex where two sides cross is rounded to the lattice, so a
+// side of a result may stray by up to 1 µm from the side it came from; whoever needs strict separation offsets inwards
+// by more than that.
+#pragma once
+
+#include <vector>
+
+#include "geometry/polygon.h"
+
+namespace shatterpave::geometry {
+
+std::vector<Region> intersection(const Polygon& subject, const Region& clip);
+std::vector<Region> difference(const Region& subject, const std::vector<Polygon>& removed);
+std::vector<Region> united(const std::vector<Polygon>& polygons);
+
+// The points of `region` farther than `-distance_mm` from its border (distance < 0), or those of it and nearer than
+// `distance_mm` (distance > 0). Corners are mitred where the tip lies within `miter_limit` distances, else cut square.
+std::vector<Region> offset(const Region& region, double distance_mm, double miter_limit = 2.0);
+
+// `polygon` without repeated vertices, spikes and vertices on the straight line between their neighbours, rounded to the
+// lattice; empty if nothing with an area remains.
+Polygon cleaned(const Polygon& polygon);
+
+// Whether no two sides meet except neighbours in their common vertex; exact on the lattice. Tests all pairs: for small ones.
+bool is_simple(const Polygon& polygon);
+
+}  // namespace shatterpave::geometry

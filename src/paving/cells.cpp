@@ -1,0 +1,167 @@
+// The Delaunay triangulation of a square packing has the sides of the squares as links, and one diagonal of each square.
+// Without the diagonals it is a mesh of quadrilaterals with a particle at each vertex. A stone is the dual: the ring of the
+// centroids of the faces about its particle. In the regular part the faces have four corners, as has each stone, and the
+// corners of stones are the middles between four particles; where a row ends a triangle remains.
+#include "paving/cells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/delaunay.h"
+#include "geometry/lattice.h"
+
+namespace shatterpave::paving {
+
+namespace {
+
+using geometry::Delaunay;
+
+// A link is a diagonal if its components along the rows and across them, in pitches, differ by less than this factor:
+// between 0 (along an axis) and 1 (45°), nearer to the diagonal than to the axes by angle (tan 22.5°).
+constexpr double least_diagonal = 0.41421356;
+
+struct Diagonal {
+  double score = 0.0;  // 1 at 45°
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  std::uint32_t left_face = 0;
+  std::uint32_t right_face = 0;
+};
+
+// `axis` or its quarter turns, whichever is nearest to `like`; rows and columns are told apart only for oblong stones.
+vec2 turned_like(vec2 axis, vec2 like, bool square) {
+  const vec2 side = left_of(axis);
+  if (square && std::abs(glm::dot(side, like)) > std::abs(glm::dot(axis, like))) axis = side;
+  return glm::dot(axis, like) < 0.0 ? -axis : axis;
+}
+
+double diagonal_score(const Particle& a, const Particle& b, vec2 pitch) {
+  const vec2 axis = a.axis + turned_like(b.axis, a.axis, pitch.x == pitch.y);
+  const vec2 d = b.at - a.at;
+  const double u = std::abs(glm::dot(d, axis)) / pitch.x;
+  const double v = std::abs(cross(axis, d)) / pitch.y;
+  return std::min(u, v) / std::max(u, v);
+}
+
+struct Faces {
+  std::vector<std::array<std::uint32_t, 4>> corners;  // particles of a face, counter-clockwise from any
+  std::vector<std::uint8_t> size;                     // how many it has; 5 stands for more than four
+};
+
+Faces faces_of(const Delaunay& mesh) {
+  Faces faces{std::vector<std::array<std::uint32_t, 4>>(mesh.face_count), std::vector<std::uint8_t>(mesh.face_count, 0)};
+  for (std::size_t p = 0; p < mesh.point_count(); ++p) {
+    for (const Delaunay::Spoke& spoke : mesh.around(p)) {
+      if (spoke.face == Delaunay::none) continue;
+      std::uint8_t& size = faces.size[spoke.face];
+      if (size < 4) faces.corners[spoke.face][size] = static_cast<std::uint32_t>(p);
+      if (size < 5) ++size;
+    }
+  }
+  return faces;
+}
+
+// Whether the two triangles beside the link make a convex quadrilateral: the link's ends lie on either side of the line
+// between the opposite corners.
+bool convex(const Diagonal& d, const Faces& faces, std::span<const Particle> particles) {
+  const auto opposite = [&](std::uint32_t face) {
+    const auto& c = faces.corners[face];
+    return particles[*std::find_if(c.begin(), c.begin() + 2, [&](std::uint32_t p) { return p != d.from && p != d.to; })].at;
+  };
+  const vec2 a = opposite(d.left_face);
+  const vec2 b = opposite(d.right_face);
+  const double s = cross(b - a, particles[d.from].at - a);
+  const double t = cross(b - a, particles[d.to].at - a);
+  return (s > 0.0 && t < 0.0) || (s < 0.0 && t > 0.0);
+}
+
+std::vector<Diagonal> diagonals(const Delaunay& mesh, const Faces& faces, std::span<const Particle> particles, vec2 pitch) {
+  std::vector<Diagonal> found;
+  for (std::size_t p = 0; p < mesh.point_count(); ++p) {
+    const auto around = mesh.around(p);
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      const std::uint32_t left = around[k].face;
+      const std::uint32_t right = around[(k + around.size() - 1) % around.size()].face;
+      if (around[k].neighbour < p || left == Delaunay::none || right == Delaunay::none) continue;
+      if (faces.size[left] != 3 || faces.size[right] != 3) continue;
+      const double score = diagonal_score(particles[p], particles[around[k].neighbour], pitch);
+      if (score < least_diagonal) continue;
+      found.push_back({score, static_cast<std::uint32_t>(p), around[k].neighbour, left, right});
+      if (!convex(found.back(), faces, particles)) found.pop_back();
+    }
+  }
+  std::ranges::sort(found, [](const Diagonal& a, const Diagonal& b) {
+    return a.score != b.score ? a.score > b.score : std::pair(a.from, a.to) < std::pair(b.from, b.to);
+  });
+  return found;
+}
+
+// For each face the face that stands for it and its partner, once the best diagonals are removed.
+std::vector<std::uint32_t> merged_faces(const std::vector<Diagonal>& candidates, std::size_t face_count) {
+  std::vector<std::uint32_t> stands(face_count);
+  for (std::size_t f = 0; f < face_count; ++f) stands[f] = static_cast<std::uint32_t>(f);
+  std::vector<bool> taken(face_count, false);
+  for (const Diagonal& d : candidates) {
+    if (taken[d.left_face] || taken[d.right_face]) continue;
+    taken[d.left_face] = taken[d.right_face] = true;
+    stands[std::max(d.left_face, d.right_face)] = std::min(d.left_face, d.right_face);
+  }
+  return stands;
+}
+
+std::vector<vec2> face_centroids(const Delaunay& mesh, const std::vector<std::uint32_t>& stands,
+                                 std::span<const Particle> particles) {
+  std::vector<vec2> sum(mesh.face_count, vec2{0.0, 0.0});
+  std::vector<int> count(mesh.face_count, 0);
+  for (std::size_t p = 0; p < mesh.point_count(); ++p) {
+    const auto around = mesh.around(p);
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      if (around[k].face == Delaunay::none) continue;
+      const std::uint32_t previous = around[(k + around.size() - 1) % around.size()].face;
+      const std::uint32_t face = stands[around[k].face];
+      // Both triangles of a quadrilateral follow one another about the ends of the diagonal: count those once.
+      if (previous != Delaunay::none && stands[previous] == face) continue;
+      sum[face] += particles[p].at;
+      ++count[face];
+    }
+  }
+  for (std::size_t f = 0; f < mesh.face_count; ++f) {
+    if (count[f] > 0) sum[f] = geometry::on_lattice(sum[f] / static_cast<double>(count[f]));
+  }
+  return sum;
+}
+
+}  // namespace
+
+geometry::Polygon Cells::outline(std::size_t cell) const {
+  geometry::Polygon polygon;
+  polygon.reserve(first[cell + 1] - first[cell]);
+  for (std::size_t side = first[cell]; side < first[cell + 1]; ++side) polygon.push_back(corners[corner[side]]);
+  return polygon;
+}
+
+Cells cells_of(std::span<const Particle> particles, vec2 pitch_mm) {
+  std::vector<vec2> points(particles.size());
+  std::ranges::transform(particles, points.begin(), &Particle::at);
+  const Delaunay mesh = geometry::delaunay(points);
+  const auto stands = merged_faces(diagonals(mesh, faces_of(mesh), particles, pitch_mm), mesh.face_count);
+
+  Cells cells;
+  cells.corners = face_centroids(mesh, stands, particles);
+  cells.first.push_back(0);
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const auto around = mesh.around(p);
+    const bool open = std::ranges::any_of(around, [](const Delaunay::Spoke& s) { return s.face == Delaunay::none; });
+    for (std::size_t k = 0; k < around.size() && !open; ++k) {
+      const std::uint32_t before = stands[around[(k + around.size() - 1) % around.size()].face];
+      if (before == stands[around[k].face]) continue;
+      cells.corner.push_back(before);
+      cells.neighbour.push_back(around[k].neighbour);
+    }
+    cells.first.push_back(cells.corner.size());
+  }
+  return cells;
+}
+
+}  // namespace shatterpave::paving

@@ -1,0 +1,30 @@
+// From a packing to closed regions, one for each particle (§4 of Miyata and Itoh).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/polygon.h"
+#include "paving/packing.h"
+
+namespace shatterpave::paving {
+
+// A division of the plane about the particles. Cells share their corners to the bit, so that they neither overlap nor
+// leave a gap. Cells at the rim of the packing, which have no end, are empty.
+struct Cells {
+  std::vector<vec2> corners;             // on the lattice
+  std::vector<std::size_t> first;        // sides of cell i are [first[i], first[i + 1])
+  std::vector<std::uint32_t> corner;     // of a side, where it begins; counter-clockwise
+  std::vector<std::uint32_t> neighbour;  // of a side, the cell beyond it
+
+  std::size_t count() const { return first.size() - 1; }
+  geometry::Polygon outline(std::size_t cell) const;
+  std::span<const std::uint32_t> neighbours(std::size_t cell) const {
+    return {neighbour.data() + first[cell], first[cell + 1] - first[cell]};
+  }
+};
+
+Cells cells_of(std::span<const Particle> particles, vec2 pitch_mm);
+
+}  // namespace shatterpave::paving

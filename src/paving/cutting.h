@@ -1,0 +1,30 @@
+// From cells to stones: cut at the outline and holes, small pieces joined to their neighbours, and the joint taken off.
+#pragma once
+
+#include <vector>
+
+#include "geometry/region_index.h"
+#include "paving/cells.h"
+#include "paving/pavement.h"
+#include "paving/stones.h"
+
+namespace shatterpave::paving {
+
+// The least part of a whole stone's face that is laid as a stone of its own, where it has a neighbour to be joined to.
+// Source: design target of this project; paviours' guides ask for a quarter to a third of a sett at the least.
+inline constexpr double least_piece = 0.25;
+
+// A cell, or what is left of it, before the joint is taken off.
+struct Piece {
+  geometry::Polygon outline_mm;  // counter-clockwise, simple
+  std::uint32_t cell = 0;        // the cell it is of, or the largest of those
+  bool cut = false;              // the outline or a hole took part of it, or it was joined
+};
+
+// The pieces of the cells within the area of the pavement, none small that has a neighbour.
+std::vector<Piece> pieces_within(const Cells& cells, const Pavement& pavement, const geometry::RegionIndex& area);
+
+// The piece's face: its outline moved in by half the joint. Empty if nothing is left; several where it falls apart.
+std::vector<geometry::Polygon> faces_of(const geometry::Polygon& piece, double joint_mm);
+
+}  // namespace shatterpave::paving

@@ -27,7 +27,7 @@ using geometry::RegionIndex;
 constexpr double hairline_mm = 0.005;
 // Sides of two pieces that lie on one line are within 0.71 µm of it each.
 constexpr double same_line_mm = 0.003;
-// A piece that lost less than this is whole to the eye: 1% of a sett is a joint's tolerance.
+// A piece with as many corners as its cell that lost less than 1% is whole to the eye; by eye.
 constexpr double whole_share = 0.99;
 // Joined stones grow to this many whole ones at most, if there is another neighbour; by eye.
 constexpr double largest_joined = 1.5;
@@ -64,7 +64,7 @@ std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const 
   const double full = geometry::area(whole);
   for (const Region& part : geometry::intersection(whole, pavement.area)) {
     for (Polygon& outline : without_holes(part)) {
-      const bool cut = geometry::area(outline) < whole_share * full;
+      const bool cut = outline.size() != whole.size() || geometry::area(outline) < whole_share * full;
       pieces.push_back({std::move(outline), cell, cut});
     }
   }

@@ -10,6 +10,16 @@ namespace shatterpave::glass {
 
 // The cracks of `pane`. Impacts happen in their order; cracks of a later one stop at those of an earlier one. A pure function
 // of its arguments: draws are addressed by the pane's name, the impact's index and the crack's place.
+//
+// Guarantees, exact on the lattice: all vertices lie in the pane; no two cracks cross; a crack that ends on another ends in a
+// vertex of its polyline; a crack that ends at the edge ends within 1 µm of it.
+//
+// Two cases in which fewer cracks come to be than were drawn: a ring crack's starting point that lies outside the pane or
+// behind an edge or an earlier crack, seen from its impact, is left out; and so is a crack that meets something before it is
+// 1 µm long.
+//
+// Throws InputError for an impact that is not strictly inside the outline, and for values of `growth` outside of the ranges
+// that glass/pane.h states.
 CrackNetwork grown_cracks(const Pane& pane, std::uint64_t seed);
 
 }  // namespace shatterpave::glass

@@ -41,8 +41,8 @@ struct CrackEnd {
 };
 
 struct Crack {
-  int id = 0;          // its index in the network
-  int impact = 0;      // index of the impact it belongs to
+  int id = 0;      // its index in the network
+  int impact = 0;  // index of the impact it belongs to
   CrackKind kind = CrackKind::radial;
   std::vector<vec2> points_mm;  // two or more, distinct from one to the next, on the lattice, from start to tip
   CrackEnd start;

@@ -13,49 +13,78 @@ namespace shatterpave::glass {
 // The law by which Rand of eq. 8 to 11 draws within [(1 - z) x, (1 + z) x].
 enum class Spread { normal, uniform };
 
+// How the bracket of eq. 6 makes a whole number. The printed counts of Figs. 14 and 15 follow from rounding up, those of
+// Fig. 16 from rounding down.
+enum class Rounding { down, nearest, up };
+
 // The growth model of Agui et al. 1992, §4.2. Lengths are in px of the paper's lattice, one px being 300/640 mm on a pane
-// of any size; one unit of time is the paper's dt = 1. Defaults are the paper's where it prints them.
+// of any size; one unit of time is the paper's dt = 1. Defaults are the paper's where it prints them. The rest was chosen by
+// measuring generated panes against the paper's measured ones (§3.1.3, Table 1), as noted beside each.
 struct Growth {
   Spread spread = Spread::normal;
-  double spread_limit = 0.3;          // z of Rand (§4.3)
-  double large_speed = 40.0;          // V1_ave, px per unit of time (eq. 9)
-  double radial_speed = 10.0;         // V2_ave (eq. 10)
-  double circular_speed = 10.0;       // V3_ave (eq. 11)
-  Angle sector_angle = Angle::degrees(100.0);  // phi, the whole opening (§4.3)
-  double sector_radius = 50.0;        // B, px (§4.3)
+  double spread_limit = 0.3;      // z of Rand (§4.3), in [0, 1)
+  double spread_deviation = 0.5;  // standard deviation of the normal law before its limits cut it, in units of z x; not
+                                  // printed. At 0.5 the limits cut 5 %: the range is used, and its ends are rare
+  double large_speed = 40.0;      // V1_ave, px per unit of time (eq. 9)
+  double radial_speed = 10.0;     // V2_ave (eq. 10)
+  double circular_speed = 10.0;   // V3_ave (eq. 11)
+  Angle sector_angle = Angle::degrees(100.0);  // phi, the whole opening (§4.3), up to 180°
+  double sector_radius = 50.0;                 // B, px (§4.3)
   Angle turn_limit = Angle::degrees(30.0);     // theta_th (eq. 18)
-  double weight_time = 10.0;          // T (eq. 19)
-  double time_step = 0.25;            // dt (eq. 16, 17)
-  double circular_threshold = 70.0;   // A of eq. 3
-  double circular_slope = 0.05;       // a of eq. 3, not printed
-  double circular_offset = 0.5;       // b of eq. 3, not printed
-  double large_slope = 0.0606;        // e of eq. 6 (eq. 1 misprints it)
-  double large_offset = 3.293;        // f of eq. 6
-  double ring_radius_slope_mm = 0.470;   // g of eq. 7
-  double ring_radius_offset_mm = 13.90;  // h of eq. 7
-  // Gains of the forces and the onset of the ring cracks, which the paper does not print, belong here too.
+  double weight_time = 10.0;                   // T (eq. 19)
+  double time_step = 0.25;  // dt (eq. 16, 17). The paper steps by 1, so that a large crack sees the edge for one step
+                            // only before it is there; a quarter lets it come round to a right angle (rule 8)
+
+  // Counts (eq. 3, 5, 6).
+  double reference_radial_count = 95.7;  // M_ave where a scene gives none: mean of Table 1, for the ball and speed of §3.1.1
+  double energy_exponent = 0.25;     // M_ave goes with this power of the ball's energy: 1/4 is the square root of the speed of
+                                     // Vandenberghe, Vermorel, Villermaux, PRL 110, 174302 (2013); others say 1
+  double count_dispersion = 1.0;     // variance / mean of M: 1 is Poisson (eq. 5), above it negative binomial; Table 1: 29.6
+  double circular_threshold = 70.0;  // A of eq. 3
+  double circular_slope = 0.05;      // a of eq. 3, not printed: with b it gives the twelve printed R
+  double circular_offset = 0.5;      // b of eq. 3, not printed
+  double large_slope = 0.0606;       // e of eq. 6 (eq. 1 misprints it)
+  double large_offset = 3.293;       // f of eq. 6
+  Rounding large_rounding = Rounding::nearest;  // of eq. 6: between the two that the paper's figures show
+  double ring_radius_slope_mm = 0.470;          // g of eq. 7
+  double ring_radius_offset_mm = 13.90;         // h of eq. 7
+
+  // Forces, of which the paper prints the form only. They are in units of F3, whose magnitude is 1; gains of those that fall
+  // with the square of the distance are in px², and each force equals F3 at a distance of sqrt(gain) px.
+  double tip_gain = 40.0;              // F1: growing tips push one another off
+  double crack_gain = 60.0;            // F2, cracks: more makes tips turn earlier towards a crack they are about to meet
+  double sibling_gain = 0.0;           // F2 between radials of one impact. With the gain of other cracks the slow radials bend
+                                       // onto their neighbours and bundle, which real panes do not show
+  double edge_gain = 1500.0;           // F2, edge of the pane: more makes cracks meet it more squarely, from farther off
+  Angle wander = Angle::degrees(9.0);  // F3: standard deviation of its direction over 10 px of growth, the step by which the
+                                       // paper measures turns; more makes cracks more crooked
+  double ring_pull = 1.0;              // rule 5: pull along the circle of a ring crack; 0 lets it go straight on
+  double ring_onset = 2.0;             // a ring crack starts once every large crack of its impact has stopped, or is this
+                                       // many ring radii out. At 0 rings cut off about half of the large cracks. In real panes
+                                       // radials run first, and rings follow as the freed strips bend
 
   bool operator==(const Growth&) const = default;
 };
 
-// Where something hits the pane, and how hard. Of the counts, those that are given win; the others follow from M.
+// Where something hits the pane, and how hard. Of the counts, those that are given win; the others follow from M. Ball and
+// speed count only where neither radial_count nor mean_radial_count is given.
 struct Impact {
-  vec2 at_mm{0.0, 0.0};                      // strictly inside the outline
-  std::optional<double> mean_radial_count;   // M_ave of eq. 5, 1 … 10,000
-  std::optional<int> radial_count;           // M, 1 … 10,000
-  std::optional<int> large_count;            // N, 0 … M
-  std::optional<int> circular_count;         // R, 0 … 1,000
-  double ball_diameter_mm = 25.0;            // §3.1.1
-  double speed_m_s = 6.26;                   // a fall from 2 m (§3.1.1)
+  vec2 at_mm{0.0, 0.0};                     // strictly inside the outline
+  std::optional<double> mean_radial_count;  // M_ave of eq. 5, 1 … 10,000
+  std::optional<int> radial_count;          // M, 1 … 10,000
+  std::optional<int> large_count;           // N, 0 … M
+  std::optional<int> circular_count;        // R, 0 … 1,000
+  double ball_diameter_mm = 25.0;           // §3.1.1
+  double speed_m_s = 6.26;                  // a fall from 2 m (§3.1.1)
 
   bool operator==(const Impact&) const = default;
 };
 
 struct Pane {
-  std::string name;                // unique in its scene, an identifier: letters, digits, '_' and '-'
-  geometry::Polygon outline_mm;    // simple, counter-clockwise, on the lattice
-  double thickness_mm = 2.0;       // > 0
-  std::vector<Impact> impacts;     // in the order in which they happened
+  std::string name;              // unique in its scene, an identifier: letters, digits, '_' and '-'
+  geometry::Polygon outline_mm;  // simple, counter-clockwise, on the lattice
+  double thickness_mm = 2.0;     // > 0
+  std::vector<Impact> impacts;   // in the order in which they happened
   Growth growth;
 
   bool operator==(const Pane&) const = default;

@@ -1,0 +1,98 @@
+// The cracks of a pane while they grow, with exact topology: no two cross, and where one ends on another, that one has a
+// vertex there. All vertices lie on the lattice, and every decision is exact.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/lattice.h"
+#include "geometry/polygon.h"
+#include "geometry/segment_index.h"
+#include "glass/contact_graph.h"
+#include "glass/network.h"
+
+namespace shatterpave::glass {
+
+// How a crack ended.
+struct Arrest {
+  CrackEnd end;
+  // The border of the region that it closed by ending (§4.2.3 (2)), along cracks; empty if it closed none. It may touch itself.
+  std::vector<geometry::LatticePoint> closed_region;
+};
+
+class CrackMap {
+ public:
+  // A place from which cracks start: an impact, or the starting point of a ring crack.
+  using Hub = int;
+
+  //   outline  as in Pane
+  //   cell_mm  > 0, cell of the index: about the length of a step of growth
+  CrackMap(geometry::Polygon outline, double cell_mm);
+
+  // A place for cracks to start at, not on the edge. Where it lies on a crack, that crack gets a vertex there.
+  Hub add_hub(geometry::LatticePoint at);
+  // Whether the point lies on a crack or on the edge.
+  bool is_taken(geometry::LatticePoint at) const;
+  // Whether the straight way meets the edge, or a crack of an impact before `impact`.
+  bool is_barred(geometry::LatticePoint from, geometry::LatticePoint to, int impact) const;
+
+  // A new crack that starts at the hub. Cracks are numbered from 0.
+  int start(Hub hub, CrackKind kind, int impact, CrackEnd::At start);
+
+  // Lets a growing crack go straight on to `to`. If nothing is in the way, adds that vertex if `keep`, and returns nothing;
+  // else ends the crack where it first meets a crack or the edge: on the edge, within 1 µm of it and not outside. A growing
+  // crack whose tip is met ends there as well.
+  std::optional<Arrest> extend(int crack, geometry::LatticePoint to, bool keep);
+  // Ends a growing crack that has met nothing.
+  void stop(int crack, CrackEnd::At at);
+
+  bool is_growing(int crack) const { return record(crack).growing; }
+  geometry::LatticePoint tip(int crack) const { return record(crack).points.back(); }
+  std::span<const geometry::LatticePoint> points(int crack) const { return record(crack).points; }
+
+  // All cracks, in the order in which they started, but those that had no room for a second point.
+  std::vector<Crack> cracks() const;
+
+ private:
+  struct Record {
+    CrackKind kind = CrackKind::radial;
+    int impact = 0;
+    int node = 0;  // in the graph of contacts
+    bool growing = true;
+    std::vector<geometry::LatticePoint> points;
+    std::vector<int> segments;  // numbers in the index: segments[i] joins points[i] and points[i + 1]
+    CrackEnd start;
+    CrackEnd end;
+  };
+  struct HubRecord {
+    geometry::LatticePoint at;
+    int node = 0;
+  };
+  struct Hit {
+    int segment = 0;
+    double share = 0.0;  // of the way, in [0, 1]
+  };
+
+  const Record& record(int crack) const { return cracks_[static_cast<std::size_t>(crack)]; }
+  Record& record(int crack) { return cracks_[static_cast<std::size_t>(crack)]; }
+  bool is_edge(int segment) const;
+
+  std::vector<Hit> hits(geometry::LatticePoint from, geometry::LatticePoint to) const;
+  bool is_free(geometry::LatticePoint from, geometry::LatticePoint to, int except) const;
+  bool can_join(geometry::LatticePoint from, geometry::LatticePoint joint, int met) const;
+  Arrest join(int crack, geometry::LatticePoint joint, int met);
+  void insert_vertex(int segment, geometry::LatticePoint point);
+  std::vector<geometry::LatticePoint> closed_region(int crack, int met) const;
+  void walk(int node, geometry::LatticePoint from, geometry::LatticePoint to,
+            std::vector<geometry::LatticePoint>& border) const;
+
+  geometry::Polygon outline_;
+  geometry::SegmentIndex index_;
+  ContactGraph graph_;
+  std::vector<Record> cracks_;
+  std::vector<HubRecord> hubs_;
+  std::vector<int> crack_of_node_;  // −1 for a hub
+};
+
+}  // namespace shatterpave::glass

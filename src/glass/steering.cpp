@@ -1,0 +1,55 @@
+#include "glass/steering.h"
+
+#include <algorithm>
+
+#include "core/functions.h"
+
+namespace shatterpave::glass {
+
+namespace {
+
+// A ring crack that has left its circle by this much heads back at 45°; by eye: much less and it zigzags about its circle, much
+// more and it is slow to come back.
+constexpr double return_distance_mm = 15.0 * px_mm;
+
+// Nearer than this the force of a crack or an edge grows no more: it decides the direction long before, and must stay finite.
+constexpr double nearest_distance_px = 0.1;
+
+double inverse_square(double distance_mm) {
+  const double distance = std::max(distance_mm / px_mm, nearest_distance_px);
+  return 1.0 / (distance * distance);
+}
+
+vec2 pull(const std::optional<Wall>& wall, double gain) {
+  return wall ? gain * inverse_square(wall->distance_mm) * wall->towards : vec2{0.0, 0.0};
+}
+
+}  // namespace
+
+vec2 force_of(const Sight& sight, const Growth& growth) {
+  vec2 force =
+      pull(sight.crack, growth.crack_gain) + pull(sight.sibling, growth.sibling_gain) + pull(sight.edge, growth.edge_gain);
+  for (const vec2& tip : sight.tips_mm) {
+    const double distance = glm::length(tip);
+    force -= growth.tip_gain * inverse_square(distance) * (tip / distance);
+  }
+  return force;
+}
+
+vec2 direction_along(const Ring& ring, vec2 at_mm) {
+  const vec2 outwards = at_mm - ring.centre_mm;
+  const double distance = glm::length(outwards);
+  if (distance == 0.0) return {0.0, 0.0};
+  const vec2 radial = outwards / distance;
+  const vec2 tangent = ring.counter_clockwise ? left_of(radial) : -left_of(radial);
+  return glm::normalize(tangent + radial * ((ring.radius_mm - distance) / return_distance_mm));
+}
+
+double weight(double age, const Growth& growth) { return 1.0 - exponential(-age / growth.weight_time); }
+
+Angle turn(vec2 force, vec2 heading, double age, const Growth& growth) {
+  const Angle difference = Angle::radians(arctangent(cross(heading, force), glm::dot(heading, force)));
+  return std::clamp(difference, -growth.turn_limit, growth.turn_limit) * weight(age, growth);
+}
+
+}  // namespace shatterpave::glass

@@ -1,0 +1,50 @@
+// How a tip turns: the forces of Agui et al. 1992, §4.2.2.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/angle.h"
+#include "core/vec.h"
+#include "glass/pane.h"
+
+namespace shatterpave::glass {
+
+// One px of the paper's lattice: 640 px for 300 mm (§3.1).
+inline constexpr double px_mm = 300.0 / 640.0;
+
+// A crack or an edge in the sector.
+struct Wall {
+  vec2 towards{0.0, 0.0};    // perpendicular to it, of unit length
+  double distance_mm = 0.0;  // of its nearest point in the sector, >= 0
+};
+
+// What a tip sees in its sector.
+struct Sight {
+  std::vector<vec2> tips_mm;    // other growing tips, from this one; none at distance 0
+  std::optional<Wall> crack;    // the nearest
+  std::optional<Wall> sibling;  // the nearest radial of the same impact, for a radial
+  std::optional<Wall> edge;
+};
+
+// The circle that a ring crack follows.
+struct Ring {
+  vec2 centre_mm{0.0, 0.0};
+  double radius_mm = 0.0;
+  bool counter_clockwise = true;
+};
+
+// F1 + F2: away from tips, and perpendicularly towards cracks and the edge, each falling with the square of the distance; in
+// units of the magnitude of F3.
+vec2 force_of(const Sight& sight, const Growth& growth);
+
+// Where a ring crack at `at_mm` has to go to follow its circle: along it, and back to it where it has left it (rule 5).
+vec2 direction_along(const Ring& ring, vec2 at_mm);
+
+// weight of eq. 19, of a crack that started `age` ago.
+double weight(double age, const Growth& growth);
+
+// The angle by which a tip turns in a step (eq. 12 to 15, 18).
+Angle turn(vec2 force, vec2 heading, double age, const Growth& growth);
+
+}  // namespace shatterpave::glass

@@ -18,7 +18,7 @@ struct Still {
 };
 
 struct Scene {
-  std::string name;          // stem of the scene file; names the output files
+  std::string name;  // stem of the scene file; names the output files
   std::uint64_t seed = 1;
   std::vector<glass::Pane> panes;
   std::vector<paving::Pavement> pavements;

@@ -1,0 +1,38 @@
+// The command line, as values.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scene/override.h"
+
+namespace shatterpave::cli {
+
+enum class Target { povray, json, svg };
+
+struct Export {
+  std::filesystem::path scene;
+  std::vector<scene::Override> overrides;
+  std::filesystem::path output;
+  std::vector<Target> targets;  // each once, in the order of the enumeration
+  int threads = 0;              // 0: all processors
+};
+
+struct Check {
+  std::filesystem::path scene;
+  std::vector<scene::Override> overrides;
+};
+
+// Only a text is asked for: help or version.
+struct Show {
+  std::string text;
+};
+
+using Command = std::variant<Export, Check, Show>;
+
+// Throws InputError, with a message of one line, where the usage is wrong.
+Command command_of(int argc, const char* const* argv);
+
+}  // namespace shatterpave::cli

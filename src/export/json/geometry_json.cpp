@@ -1,0 +1,132 @@
+// Written straight into a buffer rather than through a document: 100,000 stones are a million numbers. Each crack and each
+// stone stands on a line of its own, so that two files can be compared by eye.
+#include "export/json/geometry_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include "export/names.h"
+
+namespace shatterpave::exporting {
+
+namespace {
+
+using Buffer = fmt::memory_buffer;
+
+// Adding 0 turns −0, which reads as a slip, into 0.
+void put(Buffer& out, double value) { fmt::format_to(std::back_inserter(out), "{}", value + 0.0); }
+void put(Buffer& out, std::string_view text) { out.append(text.data(), text.data() + text.size()); }
+
+void put_text(Buffer& out, std::string_view text) {
+  put(out, "\"");
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out.push_back('\\');
+    if (static_cast<unsigned char>(c) < 0x20) {
+      fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned char>(c));
+    } else {
+      out.push_back(c);
+    }
+  }
+  put(out, "\"");
+}
+
+void put_point(Buffer& out, vec2 p) {
+  put(out, "[");
+  put(out, p.x);
+  put(out, ",");
+  put(out, p.y);
+  put(out, "]");
+}
+
+// A list in brackets, its elements written by `put_element`, `separator` between them.
+template <typename List, typename PutElement>
+void put_list(Buffer& out, const List& list, std::string_view separator, const PutElement& put_element) {
+  put(out, "[");
+  bool first = true;
+  for (const auto& element : list) {
+    put(out, first && separator.starts_with(',') ? separator.substr(1) : separator);
+    first = false;
+    put_element(element);
+  }
+  put(out, "]");
+}
+
+void put_points(Buffer& out, const std::vector<vec2>& points) {
+  put_list(out, points, ",", [&](vec2 p) { put_point(out, p); });
+}
+
+void put_end(Buffer& out, const glass::CrackEnd& end) {
+  fmt::format_to(std::back_inserter(out), "{{\"at\":\"{}\"", name_of(end.at));
+  if (end.crack) fmt::format_to(std::back_inserter(out), ",\"crack\":{}", *end.crack);
+  put(out, "}");
+}
+
+void put_impact(Buffer& out, const glass::ImpactCounts& impact) {
+  put(out, "{\"at_mm\":");
+  put_point(out, impact.at_mm);
+  fmt::format_to(std::back_inserter(out), ",\"radial_count\":{},\"large_count\":{},\"circular_count\":{}}}",
+                 impact.radial_count, impact.large_count, impact.circular_count);
+}
+
+void put_crack(Buffer& out, const glass::Crack& crack) {
+  fmt::format_to(std::back_inserter(out), "{{\"id\":{},\"impact\":{},\"kind\":\"{}\",\"points_mm\":", crack.id, crack.impact,
+                 name_of(crack.kind));
+  put_points(out, crack.points_mm);
+  put(out, ",\"start\":");
+  put_end(out, crack.start);
+  put(out, ",\"end\":");
+  put_end(out, crack.end);
+  put(out, "}");
+}
+
+void put_stone(Buffer& out, const paving::Stone& stone) {
+  fmt::format_to(std::back_inserter(out), "{{\"id\":{},\"kind\":\"{}\",\"outline_mm\":", stone.id, name_of(stone.kind));
+  put_points(out, stone.outline_mm);
+  put(out, ",\"angle_deg\":");
+  put(out, std::round(stone.angle.degrees() * 1e6) / 1e6);
+  put(out, "}");
+}
+
+void put_pane(Buffer& out, const BrokenPane& broken) {
+  put(out, "{\"name\":");
+  put_text(out, broken.pane.name);
+  put(out, ",\"outline_mm\":");
+  put_points(out, broken.pane.outline_mm);
+  put(out, ",\"thickness_mm\":");
+  put(out, broken.pane.thickness_mm);
+  put(out, ",\n  \"impacts\":");
+  put_list(out, broken.network.impacts, ",\n   ", [&](const glass::ImpactCounts& impact) { put_impact(out, impact); });
+  put(out, ",\n  \"cracks\":");
+  put_list(out, broken.network.cracks, ",\n   ", [&](const glass::Crack& crack) { put_crack(out, crack); });
+  put(out, "}");
+}
+
+void put_pavement(Buffer& out, const PavedArea& paved) {
+  put(out, "{\"name\":");
+  put_text(out, paved.pavement.name);
+  put(out, ",\"outline_mm\":");
+  put_points(out, paved.pavement.area.outline);
+  put(out, ",\"holes_mm\":");
+  put_list(out, paved.pavement.area.holes, ",", [&](const geometry::Polygon& hole) { put_points(out, hole); });
+  put(out, ",\n  \"stones\":");
+  put_list(out, paved.layout.stones, ",\n   ", [&](const paving::Stone& stone) { put_stone(out, stone); });
+  put(out, "}");
+}
+
+}  // namespace
+
+OutputFile json_file(const Model& model) {
+  Buffer out;
+  fmt::format_to(std::back_inserter(out),
+                 "{{\"format\":\"shatterpave-geometry\",\"version\":1,\"seed\":{},\n \"panes\":", model.seed);
+  put_list(out, model.panes, ",\n  ", [&](const BrokenPane& pane) { put_pane(out, pane); });
+  put(out, ",\n \"pavements\":");
+  put_list(out, model.pavements, ",\n  ", [&](const PavedArea& paved) { put_pavement(out, paved); });
+  put(out, "}\n");
+  return {model.name + ".json", fmt::to_string(out)};
+}
+
+}  // namespace shatterpave::exporting

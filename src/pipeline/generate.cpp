@@ -1,0 +1,38 @@
+#include "pipeline/generate.h"
+
+#include <mutex>
+
+#include "core/parallel.h"
+#include "glass/growth.h"
+#include "paving/laying.h"
+
+namespace shatterpave::pipeline {
+
+exporting::Model generated(const scene::Scene& scene, const Progress& progress) {
+  exporting::Model model;
+  model.name = scene.name;
+  model.setting = scene.still.setting;
+  model.seed = scene.seed;
+  for (const glass::Pane& pane : scene.panes) model.panes.push_back({pane, {}});
+  for (const paving::Pavement& pavement : scene.pavements) model.pavements.push_back({pavement, {}});
+
+  const std::size_t panes = model.panes.size();
+  const std::size_t count = panes + model.pavements.size();
+  std::size_t done = 0;
+  std::mutex reporting;
+  if (progress) progress("generating", 0.0);
+  parallel_for(count, [&](std::size_t i) {
+    if (i < panes) {
+      model.panes[i].network = glass::grown_cracks(model.panes[i].pane, scene.seed);
+    } else {
+      exporting::PavedArea& paved = model.pavements[i - panes];
+      paved.layout = paving::laid_stones(paved.pavement, scene.seed);
+    }
+    const std::scoped_lock lock(reporting);
+    ++done;
+    if (progress) progress("generating", static_cast<double>(done) / static_cast<double>(count));
+  });
+  return model;
+}
+
+}  // namespace shatterpave::pipeline

@@ -1,0 +1,95 @@
+#include "scene/input_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace shatterpave::scene {
+
+namespace {
+
+bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+// The length of the character that starts at text[at], or 0 if there is none (Unicode 15, table 3-7).
+std::size_t character_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned first = byte(at);
+  const unsigned second = byte(at + 1);
+  if (first < 0x80) return 1;
+  const auto in = [](unsigned value, unsigned low, unsigned high) { return low <= value && value <= high; };
+  if (in(first, 0xC2, 0xDF)) return in(second, 0x80, 0xBF) ? 2 : 0;
+  if (in(first, 0xE0, 0xEF)) {
+    const unsigned low = first == 0xE0 ? 0xA0 : 0x80;
+    const unsigned high = first == 0xED ? 0x9F : 0xBF;
+    return in(second, low, high) && in(byte(at + 2), 0x80, 0xBF) ? 3 : 0;
+  }
+  if (in(first, 0xF0, 0xF4)) {
+    const unsigned low = first == 0xF0 ? 0x90 : 0x80;
+    const unsigned high = first == 0xF4 ? 0x8F : 0xBF;
+    return in(second, low, high) && in(byte(at + 2), 0x80, 0xBF) && in(byte(at + 3), 0x80, 0xBF) ? 4 : 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string input_text(const std::filesystem::path& file, std::size_t limit) {
+  const Place place{file.string(), 0, 0, ""};
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) {
+    const bool missing = !error || error == std::errc::no_such_file_or_directory;
+    throw InputError(place, fmt::format("expected a file, got {}", missing ? "none of that name" : error.message()));
+  }
+  if (std::filesystem::is_directory(status)) throw InputError(place, "expected a file, got a folder");
+  if (!std::filesystem::is_regular_file(status)) throw InputError(place, "expected a regular file, got something else");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(place, "expected a file that can be read, got one that cannot be opened");
+  std::string text(limit + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) throw InputError(place, "expected a file that can be read, got an error while reading");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > limit) throw InputError(place, fmt::format("expected at most {} MiB, got more", limit >> 20));
+  text.shrink_to_fit();
+  return text;
+}
+
+void require_utf8(std::string_view text, const std::string& file) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t length = character_length(text, at);
+    if (length == 0) {
+      const TextPosition position = text_position(text, at);
+      throw InputError(Place{file, position.line, position.column, ""},
+                       fmt::format("expected UTF-8 text, got the byte 0x{:02x}", static_cast<unsigned char>(text[at])));
+    }
+    at += length;
+  }
+}
+
+TextPosition text_position(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte, text.size()));
+  const std::size_t newline = before.rfind('\n');
+  const std::string_view line = newline == std::string_view::npos ? before : before.substr(newline + 1);
+  const auto characters = line.size() - static_cast<std::size_t>(std::ranges::count_if(line, is_continuation));
+  return {static_cast<int>(std::ranges::count(before, '\n')) + 1, static_cast<int>(characters) + 1};
+}
+
+std::string in_quotes(std::string_view text) {
+  std::string result = "\"";
+  std::size_t at = 0;
+  for (int shown = 0; at < text.size() && shown < 40; ++shown) {
+    const std::size_t length = character_length(text, at);
+    const auto byte = static_cast<unsigned char>(text[at]);
+    const bool plain = length > 1 || (length == 1 && byte >= 0x20 && byte != 0x7F);
+    result += plain ? std::string(text.substr(at, length)) : fmt::format("\\x{:02x}", byte);
+    at += std::max<std::size_t>(length, 1);
+  }
+  return result + (at < text.size() ? "…\"" : "\"");
+}
+
+}  // namespace shatterpave::scene

@@ -1,0 +1,31 @@
+// Input files as bytes, with limits.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace shatterpave::scene {
+
+// Limits of input files, so that no file can take all memory: a value of a parsed file takes some 100 bytes.
+inline constexpr std::size_t largest_scene_bytes = std::size_t{16} << 20;
+inline constexpr std::size_t largest_outline_bytes = std::size_t{32} << 20;
+
+// The content of a regular file. Throws InputError where it is missing, not a file, unreadable or larger than `limit`.
+std::string input_text(const std::filesystem::path& file, std::size_t limit);
+
+// Throws InputError at the first byte that is not UTF-8. `file` is the name for the message.
+void require_utf8(std::string_view text, const std::string& file);
+
+// Line and column of a byte of a text, from 1; the column counts characters (UTF-8).
+struct TextPosition {
+  int line = 1;
+  int column = 1;
+};
+TextPosition text_position(std::string_view text, std::size_t byte);
+
+// `text` for a message: in quotes, at most 40 characters, without control characters.
+std::string in_quotes(std::string_view text);
+
+}  // namespace shatterpave::scene

@@ -1,0 +1,211 @@
+#include "scene/pane_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/lattice.h"
+#include "geometry/predicates.h"
+#include "glass/presets.h"
+#include "scene/input_file.h"
+#include "scene/section.h"
+
+namespace shatterpave::scene {
+
+namespace {
+
+using glass::Growth;
+
+constexpr std::size_t most_panes = 1000;
+constexpr std::size_t most_impacts = 100;
+constexpr int most_radials = 10'000;
+constexpr int most_ring_starts = 1000;
+
+struct GrowthNumber {
+  std::string_view key;
+  double Growth::*member;
+  Range range;
+};
+
+// Ranges are wide: they keep numbers where the model has a meaning and ends, not where it looks good.
+constexpr std::array growth_numbers = {
+    GrowthNumber{"spread_limit", &Growth::spread_limit, {0.0, 1.0, false, true}},
+    GrowthNumber{"spread_deviation", &Growth::spread_deviation, {0.0, 10.0}},
+    GrowthNumber{"large_speed_px", &Growth::large_speed, {0.1, 1000.0}},
+    GrowthNumber{"radial_speed_px", &Growth::radial_speed, {0.1, 1000.0}},
+    GrowthNumber{"circular_speed_px", &Growth::circular_speed, {0.1, 1000.0}},
+    GrowthNumber{"sector_radius_px", &Growth::sector_radius, {1.0, 1000.0}},
+    GrowthNumber{"weight_time", &Growth::weight_time, {0.01, 1000.0}},
+    GrowthNumber{"time_step", &Growth::time_step, {0.01, 2.0}},
+    GrowthNumber{"reference_radial_count", &Growth::reference_radial_count, {1.0, 10000.0}},
+    GrowthNumber{"energy_exponent", &Growth::energy_exponent, {0.0, 2.0}},
+    GrowthNumber{"count_dispersion", &Growth::count_dispersion, {1.0, 1000.0}},
+    GrowthNumber{"circular_threshold", &Growth::circular_threshold, {0.0, 10000.0}},
+    GrowthNumber{"circular_slope", &Growth::circular_slope, {0.0, 1.0}},
+    GrowthNumber{"circular_offset", &Growth::circular_offset, {-1000.0, 1000.0}},
+    GrowthNumber{"large_slope", &Growth::large_slope, {0.0, 1.0}},
+    GrowthNumber{"large_offset", &Growth::large_offset, {-1000.0, 1000.0}},
+    GrowthNumber{"ring_radius_slope_mm", &Growth::ring_radius_slope_mm, {0.0, 100.0}},
+    GrowthNumber{"ring_radius_offset_mm", &Growth::ring_radius_offset_mm, {0.0, 10000.0}},
+    GrowthNumber{"tip_gain_px2", &Growth::tip_gain, {0.0, 1e6}},
+    GrowthNumber{"crack_gain_px2", &Growth::crack_gain, {0.0, 1e6}},
+    GrowthNumber{"sibling_gain_px2", &Growth::sibling_gain, {0.0, 1e6}},
+    GrowthNumber{"edge_gain_px2", &Growth::edge_gain, {0.0, 1e6}},
+    GrowthNumber{"ring_pull", &Growth::ring_pull, {0.0, 1000.0}},
+    GrowthNumber{"ring_onset", &Growth::ring_onset, {0.0, 1000.0}},
+};
+
+void read_angle(const TomlTable& table, std::string_view key, const Range& range, Angle& angle) {
+  if (const auto degrees = table.number(key, range)) angle = Angle::degrees(*degrees);
+}
+
+void read_growth(const TomlTable& pane, Growth& growth) {
+  const auto table = pane.table("growth", {"spread",
+                                           "spread_limit",
+                                           "spread_deviation",
+                                           "large_speed_px",
+                                           "radial_speed_px",
+                                           "circular_speed_px",
+                                           "sector_angle_deg",
+                                           "sector_radius_px",
+                                           "turn_limit_deg",
+                                           "weight_time",
+                                           "time_step",
+                                           "reference_radial_count",
+                                           "energy_exponent",
+                                           "count_dispersion",
+                                           "circular_threshold",
+                                           "circular_slope",
+                                           "circular_offset",
+                                           "large_slope",
+                                           "large_offset",
+                                           "large_rounding",
+                                           "ring_radius_slope_mm",
+                                           "ring_radius_offset_mm",
+                                           "tip_gain_px2",
+                                           "crack_gain_px2",
+                                           "sibling_gain_px2",
+                                           "edge_gain_px2",
+                                           "wander_deg",
+                                           "ring_pull",
+                                           "ring_onset"});
+  if (!table) return;
+  for (const GrowthNumber& number : growth_numbers) table->read(number.key, number.range, growth.*number.member);
+  read_angle(*table, "sector_angle_deg", {1.0, 180.0}, growth.sector_angle);
+  read_angle(*table, "turn_limit_deg", {0.0, 90.0}, growth.turn_limit);
+  read_angle(*table, "wander_deg", {0.0, 90.0}, growth.wander);
+  if (const auto law = table->choice("spread", {"normal", "uniform"})) {
+    growth.spread = *law == 0 ? glass::Spread::normal : glass::Spread::uniform;
+  }
+  if (const auto rounding = table->choice("large_rounding", {"down", "nearest", "up"})) {
+    constexpr std::array values = {glass::Rounding::down, glass::Rounding::nearest, glass::Rounding::up};
+    growth.large_rounding = values[*rounding];
+  }
+}
+
+const glass::Preset* preset_of(const TomlTable& pane) {
+  const auto name = pane.text("preset");
+  if (!name) return nullptr;
+  if (const glass::Preset* preset = glass::preset(*name)) return preset;
+  std::vector<std::string_view> names;
+  for (const glass::Preset& preset : glass::presets()) names.push_back(preset.name);
+  const std::string_view meant = nearest(*name, names);
+  refuse(pane.place("preset"), fmt::format("a preset such as \"{}\"", meant.empty() ? names.front() : meant), in_quotes(*name));
+}
+
+// The counts of the printed experiment. N and R go with their M, so another M leaves them to follow from it.
+void apply_counts(const glass::Preset& preset, glass::Impact& impact) {
+  if (!impact.radial_count && !impact.mean_radial_count) {
+    impact.radial_count = preset.radial_count;
+    if (!impact.large_count) impact.large_count = std::min(preset.large_count, preset.radial_count);
+    if (!impact.circular_count) impact.circular_count = preset.circular_count;
+  }
+}
+
+bool strictly_inside(const geometry::Polygon& outline, vec2 point) {
+  if (!geometry::contains(outline, point)) return false;
+  const geometry::LatticePoint p = geometry::to_lattice(point);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const vec2 next = outline[(i + 1) % outline.size()];
+    if (geometry::on_segment(geometry::to_lattice(outline[i]), geometry::to_lattice(next), p)) return false;
+  }
+  return true;
+}
+
+std::optional<int> count_of(const TomlTable& table, std::string_view key, int low, int high) {
+  const auto value = table.whole_number(key, low, high);
+  return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+}
+
+glass::Impact impact_of(const TomlTable& table, const glass::Pane& pane) {
+  glass::Impact impact;
+  const auto at = table.point("at_mm", coordinate_range);
+  if (!at) refuse(table.place("at_mm"), "a point [x, y]", "none");
+  impact.at_mm = geometry::on_lattice(*at);
+  if (!strictly_inside(pane.outline_mm, impact.at_mm)) {
+    refuse(table.place("at_mm"), "a point inside the outline of the pane", fmt::format("({}, {})", at->x, at->y));
+  }
+  impact.mean_radial_count = table.number("mean_radial_count", {1.0, most_radials});
+  impact.radial_count = count_of(table, "radial_count", 1, most_radials);
+  if (impact.mean_radial_count && impact.radial_count) {
+    refuse(table.place("mean_radial_count"), "either radial_count or mean_radial_count", "both");
+  }
+  impact.large_count = count_of(table, "large_count", 0, impact.radial_count.value_or(most_radials));
+  impact.circular_count = count_of(table, "circular_count", 0, most_ring_starts);
+  table.read("ball_diameter_mm", {0.0, 1000.0, true}, impact.ball_diameter_mm);
+  table.read("speed_m_s", {0.0, 2000.0, true}, impact.speed_m_s);
+  return impact;
+}
+
+std::vector<glass::Impact> impacts_of(const TomlTable& table, const glass::Pane& pane, bool has_preset) {
+  std::vector<glass::Impact> impacts;
+  for (const TomlTable& impact : table.tables(
+           "impact", most_impacts,
+           {"at_mm", "mean_radial_count", "radial_count", "large_count", "circular_count", "ball_diameter_mm", "speed_m_s"})) {
+    impacts.push_back(impact_of(impact, pane));
+  }
+  if (!impacts.empty()) return impacts;
+  // The paper's experiments hit the middle of the pane.
+  const geometry::Box box = geometry::bounding_box(pane.outline_mm);
+  glass::Impact middle;
+  middle.at_mm = geometry::on_lattice(0.5 * (box.low + box.high));
+  if (!has_preset || !strictly_inside(pane.outline_mm, middle.at_mm)) {
+    refuse(table.place("impact"), "one or more tables [[pane.impact]]", "none");
+  }
+  return {middle};
+}
+
+geometry::Polygon pane_outline(const TomlTable& table, bool has_preset) {
+  geometry::Region region = outline_of(table, has_preset ? std::optional(vec2{300.0, 300.0}) : std::nullopt);
+  if (!region.holes.empty()) refuse(table.place("outline_file"), "an outline without holes", "one with holes");
+  return std::move(region.outline);
+}
+
+glass::Pane pane_of(const TomlTable& table) {
+  glass::Pane pane;
+  pane.name = name_of(table);
+  const glass::Preset* preset = preset_of(table);
+  if (preset != nullptr) pane.growth = preset->growth;
+  pane.outline_mm = pane_outline(table, preset != nullptr);
+  table.read("thickness_mm", {0.1, 1000.0}, pane.thickness_mm);
+  pane.impacts = impacts_of(table, pane, preset != nullptr);
+  if (preset != nullptr) {
+    for (glass::Impact& impact : pane.impacts) apply_counts(*preset, impact);
+  }
+  read_growth(table, pane.growth);
+  return pane;
+}
+
+}  // namespace
+
+std::vector<glass::Pane> panes_of(const TomlTable& root) {
+  std::vector<glass::Pane> panes;
+  for (const TomlTable& table :
+       root.tables("pane", most_panes, {"name", "size_mm", "outline_mm", "thickness_mm", "preset", "impact", "growth"})) {
+    panes.push_back(pane_of(table));
+  }
+  return panes;
+}
+
+}  // namespace shatterpave::scene

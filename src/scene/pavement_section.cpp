@@ -1,0 +1,101 @@
+#include "scene/pavement_section.h"
+
+#include <fmt/format.h>
+
+#include "geometry/lattice.h"
+#include "scene/section.h"
+
+namespace shatterpave::scene {
+
+namespace {
+
+constexpr std::size_t most_pavements = 1000;
+constexpr std::size_t most_guides = 10'000;
+// Stones of one pavement, by area; a million takes about a minute and 1 GB.
+constexpr double most_stones = 4e6;
+
+paving::GuidesDirection guides_of(const TomlTable& table) {
+  paving::GuidesDirection direction;
+  const std::vector<PlacedPoints> lists = table.point_lists("guides_mm", coordinate_range);
+  if (lists.empty()) refuse(table.place("guides_mm"), "one or more polylines", "none");
+  if (lists.size() > most_guides) {
+    refuse(table.place("guides_mm"), fmt::format("at most {} polylines", most_guides), fmt::format("{}", lists.size()));
+  }
+  for (const PlacedPoints& list : lists) {
+    std::vector<vec2> guide;
+    for (const vec2& point : list.points) {
+      const vec2 p = geometry::on_lattice(point);
+      if (guide.empty() || guide.back() != p) guide.push_back(p);
+    }
+    if (guide.size() < 2) refuse(list.place, "2 or more distinct points", fmt::format("{}", guide.size()));
+    direction.guides_mm.push_back(std::move(guide));
+  }
+  return direction;
+}
+
+// Keys of kinds other than the chosen one are checked like all others, but have no effect: so kinds can be tried in turn.
+paving::Direction direction_of(const TomlTable& pavement) {
+  const auto table = pavement.table("direction", {"kind", "angle_deg", "centre_mm", "guides_mm"});
+  if (!table) return paving::ConstantDirection{};
+  const Angle angle = Angle::degrees(table->number("angle_deg", {-360.0, 360.0}).value_or(0.0));
+  const vec2 centre = geometry::on_lattice(table->point("centre_mm", coordinate_range).value_or(vec2{0.0, 0.0}));
+  const std::size_t kind = table->choice("kind", {"constant", "boundary", "radial", "guides"}).value_or(0);
+  if (kind == 3 || table->has("guides_mm")) {
+    paving::GuidesDirection guides = guides_of(*table);
+    if (kind == 3) return guides;
+  }
+  if (kind == 1) return paving::BoundaryDirection{};
+  if (kind == 2) return paving::RadialDirection{centre};
+  return paving::ConstantDirection{angle};
+}
+
+void read_surface(const TomlTable& pavement, paving::StoneSurface& surface) {
+  const auto table = pavement.table("surface", {"height_mm", "height_spread", "inset", "inset_spread"});
+  if (!table) return;
+  table->read("height_mm", {0.0, 1000.0}, surface.height_mm);
+  table->read("height_spread", {0.0, 1.0}, surface.height_spread);
+  table->read("inset", {0.0, 0.5}, surface.inset);
+  table->read("inset_spread", {0.0, 1.0}, surface.inset_spread);
+}
+
+void read_relief(const TomlTable& pavement, paving::Relief& relief) {
+  const auto table = pavement.table("relief", {"rms_mm", "hurst"});
+  if (!table) return;
+  table->read("rms_mm", {0.0, 100.0}, relief.rms_mm);
+  table->read("hurst", {0.0, 1.0}, relief.hurst);
+}
+
+void limit_stones(const TomlTable& table, const paving::Pavement& pavement) {
+  const vec2 pitch = pavement.stone_mm + vec2(pavement.joint_mm);
+  const double count = geometry::area(pavement.area) / (pitch.x * pitch.y);
+  if (count <= most_stones) return;
+  refuse(table.place("stone_mm"), fmt::format("stones so large that at most {} are needed", most_stones),
+         fmt::format("about {:.0f}", count));
+}
+
+paving::Pavement pavement_of(const TomlTable& table) {
+  paving::Pavement pavement;
+  pavement.name = name_of(table);
+  pavement.area = outline_of(table);
+  pavement.stone_mm = table.point("stone_mm", {1.0, 100'000.0}).value_or(pavement.stone_mm);
+  table.read("joint_mm", {0.0, 1000.0}, pavement.joint_mm);
+  limit_stones(table, pavement);
+  pavement.direction = direction_of(table);
+  read_surface(table, pavement.surface);
+  read_relief(table, pavement.relief);
+  return pavement;
+}
+
+}  // namespace
+
+std::vector<paving::Pavement> pavements_of(const TomlTable& root) {
+  std::vector<paving::Pavement> pavements;
+  for (const TomlTable& table :
+       root.tables("pavement", most_pavements,
+                   {"name", "size_mm", "outline_mm", "holes_mm", "stone_mm", "joint_mm", "direction", "surface", "relief"})) {
+    pavements.push_back(pavement_of(table));
+  }
+  return pavements;
+}
+
+}  // namespace shatterpave::scene

@@ -1,0 +1,114 @@
+#include "scene/read_scene.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "scene/apply_override.h"
+#include "scene/input_file.h"
+#include "scene/pane_section.h"
+#include "scene/pavement_section.h"
+#include "scene/toml_table.h"
+
+namespace shatterpave::scene {
+
+namespace {
+
+// A key of a.b.c… makes tables in tables, which are then torn down by recursion; arrays are limited by the parser itself.
+constexpr int deepest_key = 64;
+
+void limit_dotted_keys(std::string_view text, const std::string& file) {
+  constexpr std::string_view breaks = ",=[]{}\n";
+  int dots = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (breaks.find(text[i]) != std::string_view::npos) dots = 0;
+    // A run of dots, as in a comment, is no key.
+    if (text[i] == '.' && (i == 0 || text[i - 1] != '.')) ++dots;
+    if (dots <= deepest_key) continue;
+    const TextPosition position = text_position(text, i);
+    throw InputError(Place{file, position.line, position.column, ""},
+                     fmt::format("expected at most {} dots in a row of words, got more", deepest_key));
+  }
+}
+
+toml::table parsed(std::string_view text, const std::string& file) {
+  require_utf8(text, file);
+  limit_dotted_keys(text, file);
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    const auto& begin = error.source().begin;
+    std::string what(error.description());
+    std::ranges::replace(what, '\n', ' ');
+    throw InputError(Place{file, static_cast<int>(begin.line), static_cast<int>(begin.column), ""},
+                     fmt::format("expected TOML, got an error: {}", what));
+  }
+}
+
+// The stem of the file, which names the files that are written.
+std::string scene_name(const std::filesystem::path& file) {
+  const std::string name = file.stem().string();
+  const bool plain = !name.empty() && std::ranges::all_of(name, [](char c) {
+    return static_cast<unsigned char>(c) >= 0x20 && c != 0x7F && c != '"' && c != '\\';
+  });
+  if (!plain)
+    throw InputError(Place{file.string(), 0, 0, ""}, "expected a file name without '\"', '\\' and control characters");
+  return name;
+}
+
+// Names are unique in a scene even where '-' and '_' are taken for the same, and capital and small letters, since they
+// become names of files and of identifiers.
+void require_unique_names(const TomlTable& root, const Scene& scene) {
+  std::map<std::string, std::string> seen;
+  const auto add = [&](std::string_view kind, std::size_t index, std::string name) {
+    const Place place = root.place_of_name(kind, index);
+    for (char& c : name) {
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+      if (c == '-') c = '_';
+    }
+    const auto [at, is_new] = seen.emplace(name, fmt::format("{}[{}]", kind, index));
+    if (!is_new) refuse(place, "a name of its own", fmt::format("that of {}", at->second));
+  };
+  for (std::size_t i = 0; i < scene.panes.size(); ++i) add("pane", i, scene.panes[i].name);
+  for (std::size_t i = 0; i < scene.pavements.size(); ++i) add("pavement", i, scene.pavements[i].name);
+}
+
+Still still_of(const TomlTable& root) {
+  Still still;
+  if (const auto table = root.table("still", {"setting"})) still.setting = table->text("setting").value_or("");
+  return still;
+}
+
+Scene scene_of_table(const toml::table& table, const std::filesystem::path& file) {
+  const std::string file_name = file.string();
+  const TomlTable root(table, file_name, "", {"seed", "pane", "pavement", "still"});
+  Scene scene;
+  scene.name = scene_name(file);
+  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  scene.seed = static_cast<std::uint64_t>(root.whole_number("seed", 0, most).value_or(1));
+  scene.panes = panes_of(root);
+  scene.pavements = pavements_of(root);
+  if (scene.panes.empty() && scene.pavements.empty()) {
+    throw InputError(Place{file_name, 0, 0, ""}, "expected a [[pane]] or a [[pavement]], got neither");
+  }
+  require_unique_names(root, scene);
+  scene.still = still_of(root);
+  return scene;
+}
+
+}  // namespace
+
+Scene scene_of_text(std::string_view text, const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  toml::table table = parsed(text, file.string());
+  for (const Override& change : overrides) apply(change, table);
+  return scene_of_table(table, file);
+}
+
+Scene scene_of_file(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  return scene_of_text(input_text(file, largest_scene_bytes), file, overrides);
+}
+
+}  // namespace shatterpave::scene

@@ -1,0 +1,63 @@
+#include "scene/section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/input_file.h"
+#include "scene/outline.h"
+
+namespace shatterpave::scene {
+
+namespace {
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_name_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; }
+
+// The one key of those that say where the outline comes from; "" for none.
+std::string_view outline_key(const TomlTable& table) {
+  std::string_view found;
+  for (const std::string_view key : {"size_mm", "outline_mm"}) {
+    if (!table.has(key)) continue;
+    if (!found.empty()) refuse(table.place(key), "one outline", fmt::format("{} beside {}", key, found));
+    found = key;
+  }
+  return found;
+}
+
+Ring rectangle(vec2 size_mm, const Place& place) { return {{{0.0, 0.0}, {size_mm.x, 0.0}, size_mm, {0.0, size_mm.y}}, place}; }
+
+std::vector<Ring> holes_of(const TomlTable& table) {
+  std::vector<Ring> holes;
+  if (!table.has("holes_mm")) return holes;
+  for (PlacedPoints& hole : table.point_lists("holes_mm", coordinate_range)) {
+    holes.push_back({std::move(hole.points), std::move(hole.place)});
+  }
+  return holes;
+}
+
+}  // namespace
+
+std::string name_of(const TomlTable& table) {
+  const auto name = table.text("name");
+  if (!name) refuse(table.place("name"), "a name", "none");
+  const bool valid =
+      !name->empty() && name->size() <= 64 && is_letter(name->front()) && std::ranges::all_of(*name, is_name_character);
+  if (!valid) {
+    refuse(table.place("name"), "1 to 64 letters, digits, '_' and '-', the first a letter", in_quotes(*name));
+  }
+  return *name;
+}
+
+geometry::Region outline_of(const TomlTable& table, std::optional<vec2> default_size_mm) {
+  const std::string_view key = outline_key(table);
+  if (key == "outline_mm") {
+    PlacedPoints outline = *table.points("outline_mm", coordinate_range);
+    return region_of({std::move(outline.points), std::move(outline.place)}, holes_of(table));
+  }
+  const auto size = table.point("size_mm", {0.0, geometry::largest_coordinate_mm, true});
+  if (!size && !default_size_mm) refuse(table.place("outline_mm"), "size_mm or outline_mm", "none of them");
+  return region_of(rectangle(size.value_or(default_size_mm.value_or(vec2{})), table.place("size_mm")), holes_of(table));
+}
+
+}  // namespace shatterpave::scene

@@ -53,7 +53,7 @@ const std::vector<Case> cases = {
     {"bow_tie", {{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {}, RegionFault{Kind::crossing, {0, 0}, {0, 2}, {5, 5}}},
     {"spike", {{0, 0}, {10, 0}, {20, 0}, {10, 0}, {10, 10}}, {}, RegionFault{Kind::touch, {0, 0}, {0, 2}, {10, 0}}},
     {"flat", {{0, 0}, {10, 0}, {5, 0}}, {}, RegionFault{Kind::overlap, {0, 0}, {0, 2}, {0, 0}}},
-    {"vertex_on_edge", {{0, 0}, {10, 0}, {10, 10}, {5, 0}, {0, 10}}, {}, RegionFault{Kind::touch, {0, 0}, {0, 2}, {5, 0}}},
+    {"vertex_on_edge", {{0, 0}, {10, 0}, {10, 10}, {5, 0}, {0, 10}}, {}, RegionFault{Kind::touch, {0, 0}, {0, 3}, {5, 0}}},
     {"vertex_on_vertex",
      {{0, 0}, {5, 5}, {10, 0}, {10, 10}, {5, 5}, {0, 10}},
      {},
@@ -82,10 +82,10 @@ const std::vector<Case> cases = {
     {"hole_through_a_corner",
      {{0, 0}, {5, 3}, {10, 0}, {10, 10}, {0, 10}},
      {{{5, 5}, {4, 1}, {5, 3}}},
-     RegionFault{Kind::crossing, {0, 0}, {1, 0}, {4.286, 2.143}}},
+     RegionFault{Kind::crossing, {0, 0}, {1, 0}, {4.412, 2.647}}},
 };
 
-INSTANTIATE_TEST_SUITE_P(Cases, RegionFaults, testing::ValuesIn(cases), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Cases, RegionFaults, testing::ValuesIn(cases), [](const auto& test) { return test.param.name; });
 
 // A hole that goes through a vertex of the outline by a vertex of its own: nothing but the sides of the edges tells.
 TEST(RegionFault, HolePassingThroughAVertexIsOutside) {
@@ -143,7 +143,7 @@ TEST(RegionFault, AgreesWithAllPairsOnSmallLattices) {
 TEST(RegionFault, AgreesWithPointTestsForHoles) {
   int good = 0;
   int bad = 0;
-  for (std::uint32_t round = 0; round < 60'000; ++round) {
+  for (std::uint32_t round = 0; round < 120'000; ++round) {
     const auto draw = [&](std::uint32_t i) {
       return static_cast<int>(uniform(2, {Stream::turn, Id("hole").child(round), i}) * 7) * 2.0;
     };

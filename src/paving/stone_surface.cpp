@@ -281,7 +281,6 @@ StoneDraws stone_draws(const Pavement& pavement, std::uint64_t seed, int stone_i
   draws.slope = largest_slope * vec2{around_zero(Stream::stone_tilt, 0), around_zero(Stream::stone_tilt, 1)};
   draws.colour = draw(Stream::stone_colour, 0);
   draws.relief_place = {draw(Stream::stone_relief, 0), draw(Stream::stone_relief, 1)};
-  draws.relief_turn = Angle::radians(2.0 * pi * draw(Stream::stone_relief, 2));
   return draws;
 }
 

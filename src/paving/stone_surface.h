@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/angle.h"
 #include "core/random.h"
 #include "geometry/bezier_patch.h"
 #include "paving/pavement.h"
@@ -27,7 +26,6 @@ struct StoneDraws {
   vec2 slope{0.0, 0.0};         // tilt: rise per mm along x and y
   double colour = 0.0;          // [0, 1), for the choice among the colours of the pavement
   vec2 relief_place{0.0, 0.0};  // of its centre in the periodic relief, each in [0, 1)
-  Angle relief_turn;            // of its window of the relief
 };
 
 StoneDraws stone_draws(const Pavement& pavement, std::uint64_t seed, int stone_id);

@@ -5,9 +5,6 @@
 #include <algorithm>
 #include <fstream>
 #include <system_error>
-
-#include "core/error.h"
-
 namespace shatterpave::scene {
 
 namespace {
@@ -37,24 +34,28 @@ std::size_t character_length(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-std::string input_text(const std::filesystem::path& file, std::size_t limit) {
-  const Place place{file.string(), 0, 0, ""};
+std::string input_text(const std::filesystem::path& file, std::size_t limit, const Place& place) {
+  // The place may be in another file, which names this one.
+  const auto refuse = [&](std::string_view expected, std::string_view got) {
+    const std::string name = place.file == file.string() ? std::string() : ": " + file.string();
+    throw InputError(place, fmt::format("expected {}, got {}{}", expected, got, name));
+  };
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) {
     const bool missing = !error || error == std::errc::no_such_file_or_directory;
-    throw InputError(place, fmt::format("expected a file, got {}", missing ? "none of that name" : error.message()));
+    refuse("a file", missing ? "none of that name" : error.message());
   }
-  if (std::filesystem::is_directory(status)) throw InputError(place, "expected a file, got a folder");
-  if (!std::filesystem::is_regular_file(status)) throw InputError(place, "expected a regular file, got something else");
+  if (std::filesystem::is_directory(status)) refuse("a file", "a folder");
+  if (!std::filesystem::is_regular_file(status)) refuse("a regular file", "something else");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(place, "expected a file that can be read, got one that cannot be opened");
-  std::string text(limit + 1, '\0');
+  if (!stream) refuse("a file that can be read", "one that cannot be opened");
+  std::string text;
+  text.resize(std::min<std::size_t>(limit, static_cast<std::size_t>(std::filesystem::file_size(file))) + 1);
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) throw InputError(place, "expected a file that can be read, got an error while reading");
+  if (stream.bad()) refuse("a file that can be read", "an error while reading");
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > limit) throw InputError(place, fmt::format("expected at most {} MiB, got more", limit >> 20));
-  text.shrink_to_fit();
+  if (text.size() > limit) refuse(fmt::format("a file of at most {} MiB", limit >> 20), "a larger one");
   return text;
 }
 

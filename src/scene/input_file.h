@@ -6,14 +6,17 @@
 #include <string>
 #include <string_view>
 
+#include "core/error.h"
+
 namespace shatterpave::scene {
 
 // Limits of input files, so that no file can take all memory: a value of a parsed file takes some 100 bytes.
 inline constexpr std::size_t largest_scene_bytes = std::size_t{16} << 20;
 inline constexpr std::size_t largest_outline_bytes = std::size_t{32} << 20;
 
-// The content of a regular file. Throws InputError where it is missing, not a file, unreadable or larger than `limit`.
-std::string input_text(const std::filesystem::path& file, std::size_t limit);
+// The content of a regular file. Throws InputError, at `place`, where it is missing, not a file, unreadable or larger than
+// `limit`.
+std::string input_text(const std::filesystem::path& file, std::size_t limit, const Place& place);
 
 // Throws InputError at the first byte that is not UTF-8. `file` is the name for the message.
 void require_utf8(std::string_view text, const std::string& file);

@@ -201,8 +201,9 @@ glass::Pane pane_of(const TomlTable& table) {
 
 std::vector<glass::Pane> panes_of(const TomlTable& root) {
   std::vector<glass::Pane> panes;
-  for (const TomlTable& table :
-       root.tables("pane", most_panes, {"name", "size_mm", "outline_mm", "thickness_mm", "preset", "impact", "growth"})) {
+  for (const TomlTable& table : root.tables("pane", most_panes,
+                                            {"name", "size_mm", "outline_mm", "outline_file", "outline_feature",
+                                             "outline_units", "thickness_mm", "preset", "impact", "growth"})) {
     panes.push_back(pane_of(table));
   }
   return panes;

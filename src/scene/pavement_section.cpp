@@ -92,7 +92,8 @@ std::vector<paving::Pavement> pavements_of(const TomlTable& root) {
   std::vector<paving::Pavement> pavements;
   for (const TomlTable& table :
        root.tables("pavement", most_pavements,
-                   {"name", "size_mm", "outline_mm", "holes_mm", "stone_mm", "joint_mm", "direction", "surface", "relief"})) {
+                   {"name", "size_mm", "outline_mm", "outline_file", "outline_feature", "outline_units", "holes_mm", "stone_mm",
+                    "joint_mm", "direction", "surface", "relief"})) {
     pavements.push_back(pavement_of(table));
   }
   return pavements;

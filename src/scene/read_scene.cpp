@@ -108,7 +108,7 @@ Scene scene_of_text(std::string_view text, const std::filesystem::path& file, co
 }
 
 Scene scene_of_file(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  return scene_of_text(input_text(file, largest_scene_bytes), file, overrides);
+  return scene_of_text(input_text(file, largest_scene_bytes, Place{file.string(), 0, 0, ""}), file, overrides);
 }
 
 }  // namespace shatterpave::scene

@@ -157,6 +157,18 @@ std::optional<std::string> TomlTable::text(std::string_view key) const {
   return node->as_string()->get();
 }
 
+std::optional<std::size_t> TomlTable::index_or_text(std::string_view key, std::optional<std::string>& text) const {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (node->is_string()) {
+    text = node->as_string()->get();
+    return std::nullopt;
+  }
+  const auto* index = node->as_integer();
+  if (index == nullptr || index->get() < 0) refuse(place(key), "an id in quotes or an index from 0", description(*node));
+  return static_cast<std::size_t>(index->get());
+}
+
 std::optional<vec2> TomlTable::point(std::string_view key, const Range& range) const {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;

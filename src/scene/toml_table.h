@@ -65,6 +65,8 @@ class TomlTable {
   std::optional<double> number(std::string_view key, const Range& range) const;
   std::optional<std::int64_t> whole_number(std::string_view key, std::int64_t low, std::int64_t high) const;
   std::optional<std::string> text(std::string_view key) const;
+  // A whole number from 0, or else a text, which goes to `text`.
+  std::optional<std::size_t> index_or_text(std::string_view key, std::optional<std::string>& text) const;
   std::optional<vec2> point(std::string_view key, const Range& range) const;
   std::optional<PlacedPoints> points(std::string_view key, const Range& range) const;
   // A list of lists of points.

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "core/error.h"
+
 namespace shatterpave {
 
 ThreadLimit::ThreadLimit(int threads)
@@ -21,6 +23,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
 }
 
 void parallel_for_chunks(std::size_t count, std::size_t chunk, const std::function<void(std::size_t, std::size_t)>& body) {
+  ENSURE(chunk > 0);
   const std::size_t chunks = (count + chunk - 1) / chunk;
   parallel_for(chunks, [&](std::size_t i) { body(i * chunk, std::min(count, (i + 1) * chunk)); });
 }

@@ -47,6 +47,7 @@ class Id {
   }
   constexpr Id child(std::string_view name) const {
     Id id = *this;
+    id.mix(0);  // so that "a", "bc" is not "ab", "c"
     for (const char c : name) id.mix(static_cast<unsigned char>(c));
     id.mix(0);
     return id;

@@ -1,0 +1,87 @@
+#include "core/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "core/error.h"
+#include "core/random.h"
+
+namespace shatterpave {
+namespace {
+
+TEST(ParallelFor, CallsEachIndexOnce) {
+  for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
+    std::vector<int> calls(count, 0);
+    parallel_for(count, [&](std::size_t i) { ++calls[i]; });
+    EXPECT_EQ(calls, std::vector<int>(count, 1));
+  }
+}
+
+TEST(ParallelFor, ChunksCoverTheRangeOnce) {
+  for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 1000U}) {
+    std::vector<int> calls(count, 0);
+    parallel_for_chunks(count, 8, [&](std::size_t begin, std::size_t end) {
+      ASSERT_EQ(begin % 8, 0U);
+      ASSERT_TRUE(end == begin + 8 || end == count);
+      for (std::size_t i = begin; i < end; ++i) ++calls[i];
+    });
+    EXPECT_EQ(calls, std::vector<int>(count, 1));
+  }
+  EXPECT_THROW(parallel_for_chunks(3, 0, [](std::size_t, std::size_t) {}), BrokenInvariant);
+}
+
+TEST(ParallelFor, ThrowsWhatItsBodyThrows) {
+  EXPECT_THROW(parallel_for(100,
+                            [](std::size_t i) {
+                              if (i == 57) throw std::out_of_range("57");
+                            }),
+               std::out_of_range);
+}
+
+TEST(ParallelFor, ResultDoesNotShowTheNumberOfThreads) {
+  const auto result = [](int threads) {
+    const ThreadLimit limit(threads);
+    std::vector<double> values(5000);
+    parallel_for(values.size(), [&](std::size_t i) {
+      values[i] = normal(3, {Stream::turn, Id("slot"), static_cast<std::uint32_t>(i)});
+    });
+    return values;
+  };
+  const std::vector<double> one = result(1);
+  EXPECT_EQ(one, result(2));
+  EXPECT_EQ(one, result(7));
+  EXPECT_EQ(one, result(0));
+}
+
+TEST(ThreadLimit, OfOneUsesOneThread) {
+  const ThreadLimit limit(1);
+  std::vector<std::thread::id> threads(500);
+  parallel_for(threads.size(), [&](std::size_t i) { threads[i] = std::this_thread::get_id(); });
+  EXPECT_EQ(std::set<std::thread::id>(threads.begin(), threads.end()).size(), 1U);
+}
+
+// The right one of the two is only that a limit above one lets more than one thread in.
+TEST(ThreadLimit, OfTwoUsesTwoThreads) {
+  if (std::thread::hardware_concurrency() < 2) return;
+  const ThreadLimit limit(2);
+  std::atomic<int> inside = 0;
+  std::atomic<bool> together = false;
+  // Bodies wait for each other, at most some seconds in all, so that one thread cannot do all the work alone.
+  parallel_for(64, [&](std::size_t) {
+    ++inside;
+    for (int i = 0; i < 50 && !together; ++i) {
+      if (inside > 1) together = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    --inside;
+  });
+  EXPECT_TRUE(together);
+}
+
+}  // namespace
+}  // namespace shatterpave

@@ -1,0 +1,34 @@
+#include "support/laws.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shatterpave::support {
+namespace {
+
+TEST(Laws, ChiSquareAgreesWithTables) {
+  // 3.841 is the 95th percentile of chi-square with one degree of freedom: 50 ± 9.8 of 100 fair coins.
+  EXPECT_NEAR(chi_square_p({59.8, 40.2}, {50.0, 50.0}), 0.05, 1e-3);
+  // 18.307 is the 95th percentile with ten.
+  std::vector<double> observed(11, 100.0);
+  observed[0] += std::sqrt(18.307 * 100.0 / 2.0);
+  observed[1] -= std::sqrt(18.307 * 100.0 / 2.0);
+  EXPECT_NEAR(chi_square_p(observed, std::vector<double>(11, 100.0)), 0.05, 1e-4);
+}
+
+TEST(Laws, ChiSquareJoinsSmallCells) {
+  // Cells of 2 + 3, 5 and 4 + 1 + 1, of which the last two join the one before.
+  EXPECT_DOUBLE_EQ(chi_square_p({5, 0, 5, 4, 1, 1}, {2, 3, 5, 4, 1, 1}), 1.0);
+}
+
+TEST(Laws, KolmogorovAgreesWithTables) {
+  // For n = 100 the 5 % point of the distance is 0.13403 (Miller 1956): a sample moved by that much off its places.
+  std::vector<double> sample;
+  for (int i = 0; i < 100; ++i) sample.push_back((i + 1) / 100.0 - 0.13403);
+  EXPECT_NEAR(kolmogorov_p(sample, [](double x) { return std::clamp(x, 0.0, 1.0); }), 0.05, 2e-3);
+}
+
+}  // namespace
+}  // namespace shatterpave::support

@@ -10,6 +10,7 @@
 
 #include "geometry/delaunay.h"
 #include "geometry/lattice.h"
+#include "paving/rows.h"
 
 namespace shatterpave::paving {
 
@@ -29,18 +30,10 @@ struct Diagonal {
   std::uint32_t right_face = 0;
 };
 
-// `axis` or its quarter turns, whichever is nearest to `like`; rows and columns are told apart only for oblong stones.
-vec2 turned_like(vec2 axis, vec2 like, bool square) {
-  const vec2 side = left_of(axis);
-  if (square && std::abs(glm::dot(side, like)) > std::abs(glm::dot(axis, like))) axis = side;
-  return glm::dot(axis, like) < 0.0 ? -axis : axis;
-}
-
 double diagonal_score(const Particle& a, const Particle& b, vec2 pitch) {
-  const vec2 axis = a.axis + turned_like(b.axis, a.axis, pitch.x == pitch.y);
-  const vec2 d = b.at - a.at;
-  const double u = std::abs(glm::dot(d, axis)) / pitch.x;
-  const double v = std::abs(cross(axis, d)) / pitch.y;
+  const vec2 q = mean_frame(a.axis, b.axis, pitch.x == pitch.y, pitch).into(b.at - a.at);
+  const double u = std::abs(q.x);
+  const double v = std::abs(q.y);
   return std::min(u, v) / std::max(u, v);
 }
 

@@ -1,6 +1,13 @@
 // The direction of the rows at every place of a pavement (§3 of Miyata and Itoh: "the vector field that the particles line
 // up with").
+//
+// Along the outline, the holes or the guides the rows follow them; between them the direction is the smoothest that agrees
+// with them (it solves Laplace's equation in the multiples of its angle). For square stones rows and columns are alike, so
+// the field is a cross field, of which quarter turns mean nothing: rows along the two sides of a square corner then agree.
+// For oblong stones only half turns mean nothing.
 #pragma once
+
+#include <vector>
 
 #include "core/angle.h"
 #include "geometry/region_index.h"
@@ -10,16 +17,34 @@ namespace shatterpave::paving {
 
 class DirectionField {
  public:
-  DirectionField(const Direction& direction, const geometry::RegionIndex& area);
+  // `area` is that of the pavement; it is not kept.
+  DirectionField(const Pavement& pavement, const geometry::RegionIndex& area);
 
-  // Unit vector along the rows at `place`, which may lie outside the area. Its sign means nothing.
+  // Unit vector along the rows at `place`, which may lie outside the area. Its sign means nothing, nor for a cross field do
+  // quarter turns.
   vec2 axis(vec2 place) const;
-  // The same as an angle in (−90°, 90°].
+  // The axis as an angle, in (−90°, 90°], of a cross field that is not plainly of rows (boundary, guides) in (−45°, 45°].
   Angle angle(vec2 place) const;
+  // Whether quarter turns mean nothing.
+  bool is_cross() const { return fold_ == 4; }
 
  private:
+  friend class FieldGrid;
+
+  // Directions on a square grid, as unit vectors at `fold_` times their angle.
+  struct Samples {
+    vec2 origin{0.0, 0.0};
+    double spacing_mm = 1.0;
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    std::vector<vec2> values;
+  };
+
+  vec2 sampled(vec2 place) const;
+
   Direction direction_;
-  const geometry::RegionIndex* area_;
+  int fold_ = 4;
+  Samples samples_;
 };
 
 }  // namespace shatterpave::paving

@@ -65,7 +65,7 @@ StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
     throw InputError(place_of(pavement),
                      fmt::format("expected at most {:.0f} stones, got an area for about {:.0f}", most_stones, expected));
   }
-  const DirectionField field(pavement.direction, area);
+  const DirectionField field(pavement, area);
   const auto particles = packed_particles(pavement, area, field, seed);
   const Cells cells = cells_of(particles, pitch_mm(pavement));
   const auto pieces = pieces_within(cells, pavement, area);

@@ -198,7 +198,7 @@ LayoutFaults faults(const Pavement& pavement, const StoneLayout& layout) {
 LayoutQuality quality(const Pavement& pavement, const StoneLayout& layout) {
   LayoutQuality result;
   const geometry::RegionIndex area(pavement.area);
-  const DirectionField field(pavement.direction, area);
+  const DirectionField field(pavement, area);
   const Neighbourhood near(layout, 2.0 * std::max(pavement.stone_mm.x, pavement.stone_mm.y));
   const double stone_area = pavement.stone_mm.x * pavement.stone_mm.y;
   std::vector<std::pair<double, double>> sides;

@@ -1,0 +1,33 @@
+// Where a packing starts: particles that already stand in rows and columns along the direction field.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "paving/packing.h"
+
+namespace shatterpave::paving {
+
+// The frame of a square, scaled so that a pitch along or across the rows has length 1.
+struct Frame {
+  vec2 axis{1.0, 0.0};
+  vec2 pitch{1.0, 1.0};
+
+  vec2 into(vec2 d) const { return {glm::dot(d, axis) / pitch.x, cross(axis, d) / pitch.y}; }
+  vec2 out_of(vec2 q) const { return (q.x * pitch.x) * axis + (q.y * pitch.y) * left_of(axis); }
+};
+
+// `axis`, turned by quarter or half turns (those of the field's symmetry) to be like `like`.
+vec2 turned_like(vec2 axis, vec2 like, bool is_cross);
+// The frame between two places.
+Frame mean_frame(vec2 a, vec2 b, bool is_cross, vec2 pitch);
+
+// Exact rows of one direction, anchored where the box about the area, turned into the rows' frame, has its lower left
+// corner, so that whole stones start there.
+std::vector<Particle> straight_rows(const geometry::RegionIndex& area, vec2 along, vec2 pitch, double band_mm);
+
+// Rows along any field, as regular as the field allows, beginning half a pitch from borders that run along or across them.
+std::vector<Particle> rows_along(const DirectionField& field, const geometry::RegionIndex& area, vec2 pitch, double band_mm,
+                                 std::uint64_t seed);
+
+}  // namespace shatterpave::paving

@@ -18,6 +18,10 @@ struct Cells {
   std::vector<std::uint32_t> corner;     // of a side, where it begins; counter-clockwise
   std::vector<std::uint32_t> neighbour;  // of a side, the cell beyond it
 
+  // Of a side, whether its first corner lies on the straight line between the one before and the next, where two neighbours
+  // meet, and is left out of the outline. Empty where there are none.
+  std::vector<bool> left_out;
+
   std::size_t count() const { return first.size() - 1; }
   geometry::Polygon outline(std::size_t cell) const;
   std::span<const std::uint32_t> neighbours(std::size_t cell) const {

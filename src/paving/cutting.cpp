@@ -29,6 +29,8 @@ constexpr double hairline_mm = 0.005;
 constexpr double same_line_mm = 0.003;
 // A piece with as many corners as its cell that lost less than 1% is whole to the eye; by eye.
 constexpr double whole_share = 0.99;
+// What is left of a cell that ends at the border but for rounding and the bend of a curved border is no piece.
+constexpr double least_scrap = 0.005;
 // Joined stones grow to this many whole ones at most, if there is another neighbour; by eye.
 constexpr double largest_joined = 1.5;
 
@@ -63,6 +65,7 @@ std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const 
   std::vector<Piece> pieces;
   const double full = geometry::area(whole);
   for (const Region& part : geometry::intersection(whole, pavement.area)) {
+    if (geometry::area(part) < least_scrap * full) continue;
     for (Polygon& outline : without_holes(part)) {
       const bool cut = outline.size() != whole.size() || geometry::area(outline) < whole_share * full;
       pieces.push_back({std::move(outline), cell, cut});

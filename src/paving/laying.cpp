@@ -10,6 +10,7 @@
 #include "paving/cells.h"
 #include "paving/cutting.h"
 #include "paving/packing.h"
+#include "paving/settling.h"
 
 namespace shatterpave::paving {
 
@@ -67,7 +68,9 @@ StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
   }
   const DirectionField field(pavement, area);
   const auto particles = packed_particles(pavement, area, field, seed);
-  const Cells cells = cells_of(particles, pitch_mm(pavement));
+  Cells cells = cells_of(particles, pitch_mm(pavement));
+  const bool exact = std::holds_alternative<ConstantDirection>(pavement.direction);
+  if (!exact) cells = settled_cells(std::move(cells), particles, pitch_mm(pavement), area);
   const auto pieces = pieces_within(cells, pavement, area);
 
   std::vector<std::vector<geometry::Polygon>> faces(pieces.size());

@@ -129,7 +129,8 @@ class Joiner {
   void join_small() {
     std::vector<double> face(pieces_.size(), stone_area_);
     parallel_for(pieces_.size(), [&](std::size_t p) {
-      if (pieces_[p].cut) face[p] = face_area(pieces_[p]);
+      // Of the others only the odd ones at irregular spots can be small; to look at all would take as long as laying them.
+      if (pieces_[p].cut || geometry::area(pieces_[p].outline_mm) < stone_area_) face[p] = face_area(pieces_[p]);
     });
     std::vector<std::size_t> small;
     for (std::size_t p = 0; p < pieces_.size(); ++p) {

@@ -32,7 +32,8 @@ constexpr double band_pitches = 2.6;
 // = −1 of four sides and their corners), so that c = 4 is somewhat below critical, and steps of 0.25 are stable.
 constexpr double damping = 4.0;
 constexpr double time_step = 0.25;
-constexpr int steps_between_changes = 16;
+// The start is so near to rest that more steps change nothing but the irregular spots, which they smear.
+constexpr int steps_between_changes = 6;
 constexpr int rounds = 3;
 
 // A place where a neighbour is missing is a gap if nothing is nearer to it than this; of two particles nearer than that to

@@ -1,0 +1,139 @@
+#include "export/povray/glass.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "export/povray/sdl.h"
+#include "export/povray/tubes.h"
+#include "geometry/polygon.h"
+
+namespace shatterpave::exporting::povray {
+
+namespace {
+
+bool is_rectangle(const geometry::Polygon& outline) {
+  const geometry::Box box = geometry::bounding_box(outline);
+  const auto at_corner = [&](vec2 p) {
+    return (p.x == box.low.x || p.x == box.high.x) && (p.y == box.low.y || p.y == box.high.y);
+  };
+  return outline.size() == 4 && std::ranges::all_of(outline, at_corner);
+}
+
+// The points of a ring of a prism, the first one again at the end.
+void append_ring(std::string& text, const geometry::Polygon& ring) {
+  for (std::size_t i = 0; i <= ring.size(); ++i) {
+    text += i == 0 ? "   " : (i % 6 == 0 ? ",\n   " : ", ");
+    append_point(text, ring[i % ring.size()]);
+  }
+}
+
+// A prism sweeps along y what is given in x and z; this stands it up: y to -z, z to y.
+constexpr std::string_view standing = "   matrix <1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 0, 0>\n";
+
+void append_slab(std::string& text, const glass::Pane& pane, const std::string& prefix) {
+  const geometry::Box box = geometry::bounding_box(pane.outline_mm);
+  const double half = 0.5 * pane.thickness_mm;
+  text += fmt::format("#declare {0}_Min = {1};\n#declare {0}_Max = {2};\n#declare {0}_Thickness = {3};\n\n", prefix,
+                      standing_point({box.low, half}), standing_point({box.high, -half}), number(pane.thickness_mm));
+  if (is_rectangle(pane.outline_mm)) {
+    text += fmt::format("#declare {0}_Slab = box {{ {0}_Min, {0}_Max }}\n\n", prefix);
+    return;
+  }
+  text += fmt::format("#declare {}_Slab =\nprism {{\n   linear_sweep linear_spline {}, {}, {},\n", prefix, number(-half),
+                      number(half), pane.outline_mm.size() + 1);
+  append_ring(text, pane.outline_mm);
+  text += fmt::format("\n{}}}\n\n", standing);
+}
+
+void append_cracks(std::string& text, const TubedCracks& cracks, const std::string& prefix) {
+  text += fmt::format("#declare {}_Cracks =\nunion {{\n", prefix);
+  int crack = -1;
+  for (const Tube& tube : cracks.tubes) {
+    if (tube.crack != crack) text += fmt::format("   // crack {}\n", tube.crack);
+    crack = tube.crack;
+    text += "   cylinder { ";
+    append_standing_point(text, {tube.a_mm, 0.0});
+    text += ", ";
+    append_standing_point(text, {tube.b_mm, 0.0});
+    text += ", ";
+    append_number(text, tube.radius_mm);
+    text += " }\n";
+  }
+  // A union must hold something.
+  if (cracks.tubes.empty()) text += fmt::format("   sphere {{ {0}_Min, {0}_Thickness / 1000 }}\n", prefix);
+  text += "}\n\n";
+}
+
+void append_crushed(std::string& text, const TubedCracks& cracks, const std::string& prefix) {
+  text += fmt::format("#declare {}_Crushed =\nunion {{\n", prefix);
+  for (std::size_t i = 0; i < cracks.zones.size(); ++i) {
+    const CrushedZone& zone = cracks.zones[i];
+    text += fmt::format("   object {{ Shatterpave_Crushed({}, {}_Thickness, {}) translate {} }}\n", number(zone.radius_mm),
+                        prefix, i, standing_point({zone.centre_mm, 0.0}));
+  }
+  text += "}\n\n";
+}
+
+// A board about the outline, for frames that hold a pane of any shape.
+void append_surround(std::string& text, const glass::Pane& pane, const std::string& prefix) {
+  text += fmt::format(
+      "#macro {0}_Surround(Width, Depth)\n   prism {{\n   linear_sweep linear_spline -Depth / 2, Depth / 2, {1},\n"
+      "   <{0}_Min.x - Width, {0}_Min.y - Width>, <{0}_Max.x + Width, {0}_Min.y - Width>,\n"
+      "   <{0}_Max.x + Width, {0}_Max.y + Width>, <{0}_Min.x - Width, {0}_Max.y + Width>,\n"
+      "   <{0}_Min.x - Width, {0}_Min.y - Width>,\n",
+      prefix, pane.outline_mm.size() + 6);
+  append_ring(text, pane.outline_mm);
+  text += fmt::format("\n{}   }}\n#end\n\n", standing);
+}
+
+IncludeHeader header(const BrokenPane& broken, const std::string& prefix) {
+  IncludeHeader header;
+  header.file = broken.pane.name + ".inc";
+  header.prefix = prefix;
+  header.description = {
+      fmt::format("Broken pane of glass \"{}\": {} cracks as tubes of air in a slab.", broken.pane.name,
+                  broken.network.cracks.size()),
+      "1 unit = 1 mm. The pane stands upright as it is drawn in the scene file: x to the right, y up,",
+      "the middle of its thickness at z = 0. Place it with object { … translate … }.",
+      "Needs max_trace_level 12 or more in global_settings: each tube and each face of the slab refracts.",
+  };
+  const auto line = [&](std::string_view pattern) { return fmt::format(fmt::runtime(pattern), prefix); };
+  header.declarations = {
+      "Declares:",
+      line("   {0}_Pane       all together, in materials of shatterpave_glass.inc: object {{ {0}_Pane }}"),
+      line("   {0}_Broken(Glass, Crack)  macro: the same in materials of your own, which are"),
+      "                  Glass   a material with an ior of about 1.5",
+      "                  Crack   a material with an ior of 1: what fills the cracks is air",
+      line("   {0}_Slab       the slab alone, without material"),
+      line("   {0}_Cracks     the tubes alone, without material; no two of them touch, so they may share one interior."),
+      "                  Their radius is fixed, since they are trimmed by it",
+      line("   {0}_Crushed    the crushed zones about the impacts, with their materials"),
+      line("   {0}_Surround(Width, Depth)  macro: a board about the outline, Width wider than the bounding box, Depth"),
+      "                  thick, about z = 0, without texture: for a frame",
+      line("   {0}_Min, {0}_Max  corners of the bounding box of the slab"),
+      line("   {0}_Thickness  of the slab"),
+  };
+  return header;
+}
+
+}  // namespace
+
+OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
+  const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
+  std::string text = "#include \"shatterpave_glass.inc\"\n\n";
+  append_slab(text, broken.pane, prefix);
+  append_cracks(text, cracks, prefix);
+  append_crushed(text, cracks, prefix);
+  append_surround(text, broken.pane, prefix);
+  text += fmt::format(
+      "#macro {0}_Broken(Glass, Crack)\n   union {{\n      object {{ {0}_Slab material {{ Glass }} }}\n"
+      "      object {{ {0}_Cracks material {{ Crack }} }}\n      object {{ {0}_Crushed }}\n   }}\n#end\n\n"
+      "#declare {0}_Pane = object {{ {0}_Broken(Shatterpave_Glass, Shatterpave_Crack) }}\n",
+      prefix);
+  const IncludeHeader about = header(broken, prefix);
+  return {about.file, include_text(about, text)};
+}
+
+}  // namespace shatterpave::exporting::povray

@@ -1,0 +1,14 @@
+// The include file of a broken pane for POV-Ray.
+#pragma once
+
+#include <string>
+
+#include "export/model.h"
+
+namespace shatterpave::exporting::povray {
+
+// `NAME.inc`: a slab of glass, the tubes of its cracks (see tubes.h) and its crushed zones.
+//   prefix  of the identifiers
+OutputFile pane_include(const BrokenPane& broken, const std::string& prefix);
+
+}  // namespace shatterpave::exporting::povray

@@ -1,0 +1,106 @@
+#include "export/povray/povray.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "core/embedded.h"
+#include "core/error.h"
+#include "export/povray/glass.h"
+#include "export/povray/sdl.h"
+
+namespace shatterpave::exporting::povray {
+
+namespace {
+
+constexpr std::string_view still_ending = "_still.pov";
+constexpr std::string_view model_mark = "//@model\n";
+
+std::string setting_of(const Model& model) {
+  const std::string setting = !model.setting.empty() ? model.setting : (model.panes.empty() ? "path_still" : "window_still");
+  const std::vector<std::string> known = settings();
+  if (std::ranges::find(known, setting) == known.end()) {
+    throw InputError(fmt::format("setting: expected one of {}, got \"{}\"", fmt::join(known, ", "), setting));
+  }
+  return setting;
+}
+
+// #macro NAME(I …) that gives the I-th of `values`.
+std::string choice(const std::string& head, const std::vector<std::string>& values) {
+  std::string text = fmt::format("#macro {}\n   #switch (I)\n", head);
+  for (std::size_t i = 0; i < values.size(); ++i) text += fmt::format("      #case ({}) {} #break\n", i, values[i]);
+  return text + "   #end\n#end\n";
+}
+
+std::vector<std::string> each(const std::vector<std::string>& prefixes, std::string_view pattern) {
+  std::vector<std::string> texts;
+  for (const std::string& prefix : prefixes) texts.push_back(fmt::format(fmt::runtime(pattern), prefix));
+  return texts;
+}
+
+// What stands in the scene for the mark.
+std::string model_text(const Model& model, const std::vector<std::string>& panes, const std::vector<std::string>& pavements) {
+  std::string text;
+  for (const BrokenPane& broken : model.panes) text += fmt::format("#include \"{}.inc\"\n", broken.pane.name);
+  for (const PavedArea& paved : model.pavements) text += fmt::format("#include \"{}.inc\"\n", paved.pavement.name);
+  text += fmt::format("#declare Still_Pane_Count = {};\n#declare Still_Pavement_Count = {};\n", panes.size(), pavements.size());
+  text += choice("Still_Pane(I)", each(panes, "object {{ {}_Pane }}"));
+  text += choice("Still_Pane_Min(I)", each(panes, "{}_Min"));
+  text += choice("Still_Pane_Max(I)", each(panes, "{}_Max"));
+  text += choice("Still_Pane_Surround(I, Width, Depth)", each(panes, "{}_Surround(Width, Depth)"));
+  text += choice("Still_Pavement(I)", each(pavements, "object {{ {}_Pavement }}"));
+  text += choice("Still_Pavement_Min(I)", each(pavements, "{}_Min"));
+  text += choice("Still_Pavement_Max(I)", each(pavements, "{}_Max"));
+  return text;
+}
+
+OutputFile still(const Model& model, const std::vector<std::string>& panes, const std::vector<std::string>& pavements) {
+  std::string text{embedded_text(setting_of(model) + ".pov")};
+  const std::size_t mark = text.find(model_mark);
+  ENSURE(mark != std::string::npos);
+  text.replace(mark, model_mark.size(), model_text(model, panes, pavements));
+  return {model.name + ".pov", text};
+}
+
+// Appends the embedded includes that the files include, and those that these include.
+void append_materials(std::vector<OutputFile>& files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (const EmbeddedFile& embedded : embedded_files()) {
+      const auto has_its_name = [&](const OutputFile& file) { return file.name == embedded.name; };
+      if (files[i].content.find(fmt::format("#include \"{}\"", embedded.name)) == std::string::npos) continue;
+      if (std::ranges::none_of(files, has_its_name)) {
+        files.push_back({std::string(embedded.name), std::string(embedded.text)});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> settings() {
+  std::vector<std::string> names;
+  for (const EmbeddedFile& file : embedded_files()) {
+    if (file.name.ends_with(still_ending)) names.emplace_back(file.name.substr(0, file.name.size() - 4));
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::vector<OutputFile> povray_files(const Model& model) {
+  std::vector<std::string> names;
+  for (const BrokenPane& broken : model.panes) names.push_back(broken.pane.name);
+  for (const PavedArea& paved : model.pavements) names.push_back(paved.pavement.name);
+  const std::vector<std::string> prefixes = identifiers(names);
+  const auto pavements_begin = prefixes.begin() + static_cast<std::ptrdiff_t>(model.panes.size());
+  const std::vector<std::string> panes(prefixes.begin(), pavements_begin);
+  const std::vector<std::string> pavements(pavements_begin, prefixes.end());
+
+  std::vector<OutputFile> files{still(model, panes, pavements)};
+  for (std::size_t i = 0; i < panes.size(); ++i) files.push_back(pane_include(model.panes[i], panes[i]));
+  append_materials(files);
+  return files;
+}
+
+}  // namespace shatterpave::exporting::povray

@@ -1,0 +1,24 @@
+// Everything that POV-Ray reads of a model.
+#pragma once
+
+#include <vector>
+
+#include "export/model.h"
+
+namespace shatterpave::exporting::povray {
+
+// The scene `NAME.pov`, one include file for each pane and pavement with the images that it reads, and the material includes
+// that they need, so that the folder they are written to needs nothing else.
+//
+// The scene is the template `model.setting` (where that is empty: "window_still" if there is a pane, else "path_still"), in
+// which the line `//@model` is replaced by declarations of what there is to see:
+//    Still_Pane_Count, Still_Pavement_Count
+//    Still_Pane(I), Still_Pane_Min(I), Still_Pane_Max(I), Still_Pane_Surround(I, Width, Depth)    macros, I from 0
+//    Still_Pavement(I), Still_Pavement_Min(I), Still_Pavement_Max(I)
+// Throws InputError where there is no such template.
+std::vector<OutputFile> povray_files(const Model& model);
+
+// The names that `model.setting` may have, sorted.
+std::vector<std::string> settings();
+
+}  // namespace shatterpave::exporting::povray

@@ -7,6 +7,7 @@
 #define GLM_FORCE_PURE
 #define GLM_FORCE_XYZW_ONLY
 #define GLM_FORCE_SIZE_T_LENGTH
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>

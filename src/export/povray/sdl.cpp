@@ -25,11 +25,10 @@ void append_triple(std::string& text, double x, double y, double z) {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+// An identifier starts with a letter or an underscore.
 std::string identifier(const std::string& name) {
-  std::string result;
+  std::string result = name.empty() || is_digit(name.front()) ? "N" : "";
   for (const char c : name) result += is_letter(c) || is_digit(c) ? c : '_';
-  // An identifier starts with a letter or an underscore.
-  if (result.empty() || is_digit(result.front())) result.insert(0, "N");
   return result;
 }
 

@@ -8,15 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
-#include <unordered_map>
 
 #include "core/functions.h"
 #include "geometry/lattice.h"
 #include "geometry/polygon.h"
+#include "geometry/segment_index.h"
 
 namespace shatterpave::exporting::povray {
 
@@ -122,54 +121,31 @@ struct Obstacle {
   std::size_t piece = 0;
 };
 
-// Obstacles by place, on a uniform grid, so that finding those nearby does not depend on how many there are elsewhere.
-class ObstacleGrid {
+class Obstacles {
  public:
-  explicit ObstacleGrid(double cell_mm) : cell_mm_(cell_mm) {}
+  explicit Obstacles(double cell_mm) : index_(cell_mm) {}
 
   void add(const Obstacle& obstacle) {
-    // Points at most half a cell apart: a cell that only a corner of the segment cuts is within `near`'s margin.
-    const double length = glm::length(obstacle.b - obstacle.a);
-    const int steps = 1 + static_cast<int>(2.0 * length / cell_mm_);
-    const int number = static_cast<int>(obstacles_.size());
-    for (int i = 0; i <= steps; ++i) {
-      std::vector<int>& cell = cells_[key(obstacle.a + (obstacle.b - obstacle.a) * (static_cast<double>(i) / steps))];
-      if (cell.empty() || cell.back() != number) cell.push_back(number);
-    }
+    index_.add({geometry::to_lattice(obstacle.a), geometry::to_lattice(obstacle.b)});
     obstacles_.push_back(obstacle);
     largest_radius_ = std::max(largest_radius_, obstacle.radius);
   }
 
   // The obstacles within `reach` of the segment a → b beyond their own radius, and some more.
   std::vector<Obstacle> near(vec2 a, vec2 b, double reach) const {
-    const double margin = reach + largest_radius_ + cell_mm_;
-    std::vector<int> numbers;
-    const auto column = [&](double mm) { return static_cast<std::int64_t>(std::floor(mm / cell_mm_)); };
-    for (std::int64_t x = column(std::min(a.x, b.x) - margin); x <= column(std::max(a.x, b.x) + margin); ++x) {
-      for (std::int64_t y = column(std::min(a.y, b.y) - margin); y <= column(std::max(a.y, b.y) + margin); ++y) {
-        const auto found = cells_.find(key(x, y));
-        if (found != cells_.end()) numbers.insert(numbers.end(), found->second.begin(), found->second.end());
-      }
-    }
-    std::ranges::sort(numbers);
-    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+    const vec2 margin{reach + largest_radius_, reach + largest_radius_};
     std::vector<Obstacle> result;
-    for (const int number : numbers) result.push_back(obstacles_[static_cast<std::size_t>(number)]);
+    for (const int number :
+         index_.near(geometry::to_lattice(glm::min(a, b) - margin), geometry::to_lattice(glm::max(a, b) + margin))) {
+      result.push_back(obstacles_[static_cast<std::size_t>(number)]);
+    }
     return result;
   }
 
  private:
-  static std::uint64_t key(std::int64_t x, std::int64_t y) {
-    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32U) | static_cast<std::uint32_t>(y);
-  }
-  std::uint64_t key(vec2 p) const {
-    return key(static_cast<std::int64_t>(std::floor(p.x / cell_mm_)), static_cast<std::int64_t>(std::floor(p.y / cell_mm_)));
-  }
-
-  double cell_mm_;
+  geometry::SegmentIndex index_;  // its numbers are the indices of obstacles_
   double largest_radius_ = 0.0;
   std::vector<Obstacle> obstacles_;
-  std::unordered_map<std::uint64_t, std::vector<int>> cells_;  // only ever looked up, never walked
 };
 
 double distance_to(vec2 point, vec2 a, vec2 b) {
@@ -311,9 +287,9 @@ std::optional<double> setback(vec2 before, vec2 after) {
 class Trimming {
  public:
   Trimming(const glass::Pane& pane, const std::vector<ImpactShape>& shapes)
-      : grid_(std::max(1.0, pane.thickness_mm)), shapes_(shapes) {
+      : obstacles_(std::max(1.0, pane.thickness_mm)), shapes_(shapes) {
     const geometry::Polygon& outline = pane.outline_mm;
-    for (std::size_t i = 0; i < outline.size(); ++i) grid_.add({outline[i], outline[(i + 1) % outline.size()]});
+    for (std::size_t i = 0; i < outline.size(); ++i) obstacles_.add({outline[i], outline[(i + 1) % outline.size()]});
   }
 
   // The tubes of `chain`, which is the number-th; later chains keep away from them.
@@ -338,7 +314,7 @@ class Trimming {
         const Tube tube{geometry::on_lattice(ray.origin + piece.low * ray.direction),
                         geometry::on_lattice(ray.origin + piece.high * ray.direction), radii[i], chain.crack};
         tubes.push_back(tube);
-        grid_.add({tube.a_mm, tube.b_mm, tube.radius_mm, number, i});
+        obstacles_.add({tube.a_mm, tube.b_mm, tube.radius_mm, number, i});
       }
     }
   }
@@ -381,7 +357,7 @@ class Trimming {
       if (interval) result.push_back(*interval);
     };
     const double reach = radius + tube_clearance_mm;
-    for (const Obstacle& obstacle : grid_.near(ray.origin, ray.origin + ray.length * ray.direction, reach)) {
+    for (const Obstacle& obstacle : obstacles_.near(ray.origin, ray.origin + ray.length * ray.direction, reach)) {
       if (follows && obstacle.chain == chain && obstacle.piece + 1 == piece) continue;
       if (obstacle.chain == chain && obstacle.piece == piece) continue;
       take(stadium_interval(ray, obstacle.a, obstacle.b, reach + obstacle.radius));
@@ -392,7 +368,7 @@ class Trimming {
     return result;
   }
 
-  ObstacleGrid grid_;
+  Obstacles obstacles_;
   const std::vector<ImpactShape>& shapes_;
 };
 

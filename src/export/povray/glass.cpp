@@ -47,10 +47,24 @@ void append_slab(std::string& text, const glass::Pane& pane, const std::string& 
   text += fmt::format("\n{}}}\n\n", standing);
 }
 
-void append_cracks(std::string& text, const TubedCracks& cracks, const std::string& prefix) {
-  text += fmt::format("#declare {}_Cracks =\nunion {{\n", prefix);
+// `objects`, each with a newline at its end, as one object: POV-Ray warns of a union of fewer than two.
+std::string together(const std::vector<std::string>& objects) {
+  if (objects.size() == 1) return objects.front();
+  std::string text = "union {\n";
+  for (const std::string& object : objects) text += object;
+  return text + "}\n";
+}
+
+// #declare of the objects together; nothing where there are none.
+void append_declaration(std::string& text, const std::string& name, const std::vector<std::string>& objects) {
+  if (!objects.empty()) text += fmt::format("#declare {} =\n{}\n", name, together(objects));
+}
+
+std::vector<std::string> tube_texts(const TubedCracks& cracks) {
+  std::vector<std::string> texts;
   int crack = -1;
   for (const Tube& tube : cracks.tubes) {
+    std::string text;
     if (tube.crack != crack) text += fmt::format("   // crack {}\n", tube.crack);
     crack = tube.crack;
     text += "   cylinder { ";
@@ -59,21 +73,29 @@ void append_cracks(std::string& text, const TubedCracks& cracks, const std::stri
     append_standing_point(text, {tube.b_mm, 0.0});
     text += ", ";
     append_number(text, tube.radius_mm);
-    text += " }\n";
+    texts.push_back(text + " }\n");
   }
-  // A union must hold something.
-  if (cracks.tubes.empty()) text += fmt::format("   sphere {{ {0}_Min, {0}_Thickness / 1000 }}\n", prefix);
-  text += "}\n\n";
+  return texts;
 }
 
-void append_crushed(std::string& text, const TubedCracks& cracks, const std::string& prefix) {
-  text += fmt::format("#declare {}_Crushed =\nunion {{\n", prefix);
+std::vector<std::string> crushed_texts(const TubedCracks& cracks, const std::string& prefix) {
+  std::vector<std::string> texts;
   for (std::size_t i = 0; i < cracks.zones.size(); ++i) {
     const CrushedZone& zone = cracks.zones[i];
-    text += fmt::format("   object {{ Shatterpave_Crushed({}, {}_Thickness, {}) translate {} }}\n", number(zone.radius_mm),
-                        prefix, i, standing_point({zone.centre_mm, 0.0}));
+    texts.push_back(fmt::format("   object {{ Shatterpave_Crushed({}, {}_Thickness, {}) translate {} }}\n",
+                                number(zone.radius_mm), prefix, i, standing_point({zone.centre_mm, 0.0})));
   }
-  text += "}\n\n";
+  return texts;
+}
+
+void append_whole(std::string& text, const TubedCracks& cracks, const std::string& prefix) {
+  std::vector<std::string> parts{fmt::format("   object {{ {}_Slab material {{ Glass }} }}\n", prefix)};
+  if (!cracks.tubes.empty()) parts.push_back(fmt::format("   object {{ {}_Cracks material {{ Crack }} }}\n", prefix));
+  if (!cracks.zones.empty()) parts.push_back(fmt::format("   object {{ {}_Crushed }}\n", prefix));
+  text += fmt::format(
+      "#macro {0}_Broken(Glass, Crack)\n{1}#end\n\n#declare {0}_Pane = object {{ {0}_Broken(Shatterpave_Glass, "
+      "Shatterpave_Crack) }}\n",
+      prefix, together(parts));
 }
 
 // A board about the outline, for frames that hold a pane of any shape.
@@ -110,6 +132,7 @@ IncludeHeader header(const BrokenPane& broken, const std::string& prefix) {
       line("   {0}_Cracks     the tubes alone, without material; no two of them touch, so they may share one interior."),
       "                  Their radius is fixed, since they are trimmed by it",
       line("   {0}_Crushed    the crushed zones about the impacts, with their materials"),
+      "                  (Cracks and Crushed are not declared where there are none)",
       line("   {0}_Surround(Width, Depth)  macro: a board about the outline, Width wider than the bounding box, Depth"),
       "                  thick, about z = 0, without texture: for a frame",
       line("   {0}_Min, {0}_Max  corners of the bounding box of the slab"),
@@ -124,14 +147,10 @@ OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
   const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
   std::string text = "#include \"shatterpave_glass.inc\"\n\n";
   append_slab(text, broken.pane, prefix);
-  append_cracks(text, cracks, prefix);
-  append_crushed(text, cracks, prefix);
+  append_declaration(text, prefix + "_Cracks", tube_texts(cracks));
+  append_declaration(text, prefix + "_Crushed", crushed_texts(cracks, prefix));
   append_surround(text, broken.pane, prefix);
-  text += fmt::format(
-      "#macro {0}_Broken(Glass, Crack)\n   union {{\n      object {{ {0}_Slab material {{ Glass }} }}\n"
-      "      object {{ {0}_Cracks material {{ Crack }} }}\n      object {{ {0}_Crushed }}\n   }}\n#end\n\n"
-      "#declare {0}_Pane = object {{ {0}_Broken(Shatterpave_Glass, Shatterpave_Crack) }}\n",
-      prefix);
+  append_whole(text, cracks, prefix);
   const IncludeHeader about = header(broken, prefix);
   return {about.file, include_text(about, text)};
 }

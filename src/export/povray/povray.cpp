@@ -27,11 +27,17 @@ std::string setting_of(const Model& model) {
   return setting;
 }
 
-// #macro NAME(I …) that gives the I-th of `values`.
+// #macro NAME(I …) that gives the I-th of the objects `values`: an array would copy them.
 std::string choice(const std::string& head, const std::vector<std::string>& values) {
   std::string text = fmt::format("#macro {}\n   #switch (I)\n", head);
   for (std::size_t i = 0; i < values.size(); ++i) text += fmt::format("      #case ({}) {} #break\n", i, values[i]);
   return text + "   #end\n#end\n";
+}
+
+// An array of `values`; nothing where there are none, since an array must hold something.
+std::string array(const std::string& name, const std::vector<std::string>& values) {
+  if (values.empty()) return {};
+  return fmt::format("#declare {} = array[{}] {{ {} }}\n", name, values.size(), fmt::join(values, ", "));
 }
 
 std::vector<std::string> each(const std::vector<std::string>& prefixes, std::string_view pattern) {
@@ -47,12 +53,12 @@ std::string model_text(const Model& model, const std::vector<std::string>& panes
   for (const PavedArea& paved : model.pavements) text += fmt::format("#include \"{}.inc\"\n", paved.pavement.name);
   text += fmt::format("#declare Still_Pane_Count = {};\n#declare Still_Pavement_Count = {};\n", panes.size(), pavements.size());
   text += choice("Still_Pane(I)", each(panes, "object {{ {}_Pane }}"));
-  text += choice("Still_Pane_Min(I)", each(panes, "{}_Min"));
-  text += choice("Still_Pane_Max(I)", each(panes, "{}_Max"));
+  text += array("Still_Pane_Min", each(panes, "{}_Min"));
+  text += array("Still_Pane_Max", each(panes, "{}_Max"));
   text += choice("Still_Pane_Surround(I, Width, Depth)", each(panes, "{}_Surround(Width, Depth)"));
   text += choice("Still_Pavement(I)", each(pavements, "object {{ {}_Pavement }}"));
-  text += choice("Still_Pavement_Min(I)", each(pavements, "{}_Min"));
-  text += choice("Still_Pavement_Max(I)", each(pavements, "{}_Max"));
+  text += array("Still_Pavement_Min", each(pavements, "{}_Min"));
+  text += array("Still_Pavement_Max", each(pavements, "{}_Max"));
   return text;
 }
 

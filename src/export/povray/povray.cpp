@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,7 @@
 #include "core/error.h"
 #include "export/povray/glass.h"
 #include "export/povray/sdl.h"
+#include "export/povray/stones.h"
 
 namespace shatterpave::exporting::povray {
 
@@ -57,6 +59,7 @@ std::string model_text(const Model& model, const std::vector<std::string>& panes
   text += array("Still_Pane_Max", each(panes, "{}_Max"));
   text += choice("Still_Pane_Surround(I, Width, Depth)", each(panes, "{}_Surround(Width, Depth)"));
   text += choice("Still_Pavement(I)", each(pavements, "object {{ {}_Pavement }}"));
+  text += choice("Still_Pavement_Bed(I)", each(pavements, "object {{ {}_Bed }}"));
   text += array("Still_Pavement_Min", each(pavements, "{}_Min"));
   text += array("Still_Pavement_Max", each(pavements, "{}_Max"));
   return text;
@@ -105,6 +108,9 @@ std::vector<OutputFile> povray_files(const Model& model) {
 
   std::vector<OutputFile> files{still(model, panes, pavements)};
   for (std::size_t i = 0; i < panes.size(); ++i) files.push_back(pane_include(model.panes[i], panes[i]));
+  for (std::size_t i = 0; i < pavements.size(); ++i) {
+    std::ranges::move(pavement_files(model.pavements[i], pavements[i], model.seed), std::back_inserter(files));
+  }
   append_materials(files);
   return files;
 }

@@ -32,7 +32,7 @@ find src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk -v rules
   }
   { code = $0; sub(/\/\/.*/, "", code) }
 
-  product && match(code, /^[ \t]*#[ \t]*include[ \t]*"[^"]+"/) {
+  product && match(code, /^[ \t]*#[ \t]*include[ \t]*"[^"]+[.]h"/) {
     split(code, quoted, "\"")
     split(quoted[2], target, "/")
     if (!(target[1] in known)) wrong("\"" quoted[2] "\" is in no room")

@@ -107,6 +107,9 @@ Case case_named(const std::string& name) {
   const auto size = pair(table, "size");
   result.width = size[0];
   result.height = size[1];
+  const std::int64_t oversampling = table["oversampling"].value_or(std::int64_t{1});
+  if (oversampling < 1 || oversampling > 8) fail("oversampling is 1 to 8");
+  result.oversampling = static_cast<std::size_t>(oversampling);
   const auto grid = pair(table, "grid");
   result.grid = {grid[0], grid[1]};
   if (const toml::table* over_seeds = table["seeds"].as_table()) {

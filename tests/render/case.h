@@ -2,6 +2,7 @@
 //
 //     about = "what the picture shows, and what it guards"
 //     size  = [160, 120]                    # of the picture, px
+//     oversampling = 1                      # rendered so many times as large, and averaged
 //     grid  = [4, 4]                        # columns and rows of the regions that are compared too
 //
 //     [tolerance.mean]                      # also deviation, percentile, gradient: what |now - golden| may be,
@@ -63,6 +64,7 @@ struct Case {
   std::filesystem::path folder;
   std::size_t width = 0;
   std::size_t height = 0;
+  std::size_t oversampling = 1;
   Grid grid;
   std::array<Tolerance, measure_names.size()> tolerances;
   std::optional<Seeds> seeds;

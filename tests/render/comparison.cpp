@@ -87,13 +87,15 @@ Comparison compared_over_seeds(const Case& expected, const std::vector<relief::R
     const Moments old_moments = moments(before, i);
     const Moments new_moments = moments(after, i);
     const std::string what = description(before.front()[i]);
-    const double error = std::sqrt((std::pow(old_moments.deviation, 2) + std::pow(new_moments.deviation, 2)) /
-                                   static_cast<double>(before.size()));
+    // A spread below a quarter of a grey level of a screen cannot be seen, and is no measure of chance.
+    const double smallest = 0.25 / 255.0;
+    const double old_spread = std::max(old_moments.deviation, smallest);
+    const double new_spread = std::max(new_moments.deviation, smallest);
+    const double error = std::sqrt((old_spread * old_spread + new_spread * new_spread) / static_cast<double>(before.size()));
     result.rows.push_back({what + ", mean", old_moments.mean, new_moments.mean, expected.seeds->mean_sigmas * error});
-    // The spread as its logarithm, so that half and double are alike. A picture that does not depend on its seed has none.
-    const double smallest = 1e-9;
-    result.rows.push_back({what + ", log spread", std::log(old_moments.deviation + smallest),
-                           std::log(new_moments.deviation + smallest), std::log(expected.seeds->spread_ratio)});
+    // The spread as its logarithm, so that half and double are alike.
+    result.rows.push_back(
+        {what + ", log spread", std::log(old_spread), std::log(new_spread), std::log(expected.seeds->spread_ratio)});
   }
   return result;
 }

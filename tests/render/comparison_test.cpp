@@ -121,5 +121,11 @@ TEST(PictureRow, GivesItsPartsBack) {
   EXPECT_EQ(parts_of(row, 16), pictures);
 }
 
+TEST(PictureRow, ShrinksByTheMean) {
+  const relief::Raster small = shrunk({4, 2, 1, {1, 3, 0, 0, 5, 7, 0, 8}}, 2);
+  EXPECT_EQ(small, (relief::Raster{2, 1, 1, {4, 2}}));
+  EXPECT_EQ(shrunk(small, 1), small);
+}
+
 }  // namespace
 }  // namespace shatterpave::render_tests

@@ -77,6 +77,8 @@ TEST_P(RenderGolden, LooksAsItsGolden) {
 struct MissOfCase {
   std::string of;
   std::string miss;
+
+  friend void PrintTo(const MissOfCase& value, std::ostream* stream) { *stream << value.of << ": " << value.miss; }
 };
 
 class RenderNearMiss : public testing::TestWithParam<MissOfCase> {};
@@ -106,9 +108,9 @@ std::vector<MissOfCase> all_misses() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, RenderGolden, testing::ValuesIn(case_names()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Cases, RenderGolden, testing::ValuesIn(case_names()), [](const auto& test) { return test.param; });
 INSTANTIATE_TEST_SUITE_P(Cases, RenderNearMiss, testing::ValuesIn(all_misses()),
-                         [](const auto& info) { return info.param.of + "_" + info.param.miss; });
+                         [](const auto& test) { return test.param.of + "_" + test.param.miss; });
 
 }  // namespace
 }  // namespace shatterpave::render_tests

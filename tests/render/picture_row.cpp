@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "core/error.h"
+
 namespace shatterpave::render_tests {
 
 relief::Raster row_of(const std::vector<relief::Raster>& pictures) {
@@ -27,6 +29,22 @@ std::vector<relief::Raster> parts_of(const relief::Raster& row, std::size_t widt
     }
   }
   return parts;
+}
+
+relief::Raster shrunk(const relief::Raster& picture, std::size_t factor) {
+  ENSURE(factor > 0 && picture.width % factor == 0 && picture.height % factor == 0);
+  relief::Raster result{picture.width / factor, picture.height / factor, picture.channels, {}};
+  const auto share = 1.0F / static_cast<float>(factor * factor);
+  result.values.assign(result.width * result.height * result.channels, 0.0F);
+  for (std::size_t y = 0; y < picture.height; ++y) {
+    for (std::size_t x = 0; x < picture.width; ++x) {
+      for (std::size_t channel = 0; channel < picture.channels; ++channel) {
+        result.values[((y / factor) * result.width + x / factor) * result.channels + channel] +=
+            share * picture.values[(y * picture.width + x) * picture.channels + channel];
+      }
+    }
+  }
+  return result;
 }
 
 }  // namespace shatterpave::render_tests

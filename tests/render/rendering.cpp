@@ -8,6 +8,7 @@
 
 #include "export/povray/povray.h"
 #include "pipeline/generate.h"
+#include "render/picture_row.h"
 #include "render/povray.h"
 #include "scene/read_scene.h"
 
@@ -61,7 +62,8 @@ relief::Raster picture(const Case& of, const NearMiss* miss, std::optional<std::
   for (const exporting::OutputFile& file : files) {
     std::ofstream(folder / file.name, std::ios::binary) << file.content;
   }
-  return rendered(folder, of.name + ".pov", of.width, of.height);
+  const std::size_t factor = of.oversampling;
+  return shrunk(rendered(folder, of.name + ".pov", of.width * factor, of.height * factor), factor);
 }
 
 }  // namespace shatterpave::render_tests

@@ -89,7 +89,10 @@ toml::node& next_node(toml::node& node, const Step& step, const Override& change
     refuse(Place{change.origin, 0, 0, ""}, "a key that leads to a value",
            fmt::format("one that goes on after {}", description(node)));
   }
-  if (!table->contains(*key)) table->insert(*key, toml::table{});
+  if (!table->contains(*key)) {
+    toml::table made = toml::parse("value = {}", change.origin);  // parsed, so that messages know where it came from
+    table->insert(*key, std::move(*made.get_as<toml::table>("value")));
+  }
   return *table->get(*key);
 }
 

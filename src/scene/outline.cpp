@@ -30,7 +30,10 @@ CleanRing clean_ring(const Ring& ring) {
       throw InputError(ring.place, fmt::format("expected coordinates from {} to {} mm, got ({}, {})", -limit, limit, p.x, p.y));
     }
     const vec2 on_lattice = geometry::on_lattice(p);
-    if (!clean.points.empty() && clean.points.back() == on_lattice) continue;
+    if (!clean.points.empty() && clean.points.back() == on_lattice) {
+      clean.given.back() = i;  // the edge to the next point starts at the last of them
+      continue;
+    }
     clean.points.push_back(on_lattice);
     clean.given.push_back(i);
   }

@@ -1,0 +1,208 @@
+#include "scene/read_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <variant>
+
+#include "glass/presets.h"
+
+namespace shatterpave::scene {
+namespace {
+
+// The example of the contract with users, word for word.
+constexpr std::string_view contract_scene = R"(seed = 7
+
+[[pane]]
+name         = "window"
+size_mm      = [300, 300]            # or outline_mm = [[x, y], …], any simple polygon
+thickness_mm = 2.0
+preset       = "agui1992-fig15a"     # optional; a key given beside it wins
+
+[[pane.impact]]                      # one or more
+at_mm             = [150, 150]
+mean_radial_count = 105              # M_ave, drawn from Poisson; or radial_count = 113 for M itself
+
+[[pavement]]
+name       = "path"
+outline_mm = [[0, 0], [4000, 0], [4000, 1200], [0, 1200]]
+holes_mm   = [[[500, 500], [700, 500], [700, 700]]]
+stone_mm   = [100, 100]              # the face of a whole stone; pitch = stone + joint
+joint_mm   = 8
+[pavement.direction]
+kind      = "constant"               # constant | boundary | radial | guides
+angle_deg = 0                        # constant: the axis of the rows, from +x
+centre_mm = [0, 0]                   # radial: rows are circles about it
+)";
+
+Scene read(std::string_view text, const std::vector<Override>& overrides = {}) {
+  return scene_of_text(text, "dir/s.toml", overrides);
+}
+
+std::string pane(const std::string& lines) { return "[[pane]]\nname = \"w\"\n" + lines; }
+std::string path(const std::string& lines) { return "[[pavement]]\nname = \"p\"\nsize_mm = [900, 900]\n" + lines; }
+
+TEST(ReadScene, UnderstandsTheContract) {
+  const Scene scene = read(contract_scene);
+  EXPECT_EQ(scene.name, "s");
+  EXPECT_EQ(scene.seed, 7U);
+  ASSERT_EQ(scene.panes.size(), 1U);
+  const glass::Pane& window = scene.panes[0];
+  EXPECT_EQ(window.name, "window");
+  EXPECT_EQ(window.outline_mm, (geometry::Polygon{{0, 0}, {300, 0}, {300, 300}, {0, 300}}));
+  EXPECT_EQ(window.thickness_mm, 2.0);
+  ASSERT_EQ(window.impacts.size(), 1U);
+  EXPECT_EQ(window.impacts[0].at_mm, vec2(150, 150));
+  EXPECT_EQ(window.impacts[0].mean_radial_count, 105.0);
+  EXPECT_EQ(window.growth, glass::preset("agui1992-fig15a")->growth);
+  ASSERT_EQ(scene.pavements.size(), 1U);
+  const paving::Pavement& paved = scene.pavements[0];
+  EXPECT_EQ(paved.area.outline.size(), 4U);
+  ASSERT_EQ(paved.area.holes.size(), 1U);
+  EXPECT_EQ(paved.area.holes[0], (geometry::Polygon{{500, 500}, {700, 700}, {700, 500}}));  // clockwise
+  EXPECT_EQ(paved.stone_mm, vec2(100, 100));
+  EXPECT_EQ(paved.joint_mm, 8.0);
+  EXPECT_EQ(paved.direction, paving::Direction(paving::ConstantDirection{}));
+}
+
+TEST(ReadScene, AnotherCountLeavesThePresetsOtherCountsToFollow) {
+  const glass::Impact impact = read(contract_scene).panes[0].impacts[0];
+  EXPECT_FALSE(impact.radial_count);
+  EXPECT_FALSE(impact.large_count);
+  EXPECT_FALSE(impact.circular_count);
+}
+
+TEST(ReadScene, PresetAloneIsThePapersExperiment) {
+  const Scene scene = read(pane("preset = \"agui1992-fig15a\"\n"));
+  const glass::Pane& window = scene.panes[0];
+  EXPECT_EQ(window.outline_mm, (geometry::Polygon{{0, 0}, {300, 0}, {300, 300}, {0, 300}}));
+  ASSERT_EQ(window.impacts.size(), 1U);
+  EXPECT_EQ(window.impacts[0].at_mm, vec2(150, 150));
+  EXPECT_EQ(window.impacts[0].radial_count, 114);
+  EXPECT_EQ(window.impacts[0].large_count, 11);
+  EXPECT_EQ(window.impacts[0].circular_count, 6);
+}
+
+TEST(ReadScene, KeyBesideThePresetWins) {
+  const std::string text =
+      "preset = \"agui1992-fig14a\"\ngrowth.large_speed_px = 55\n[[pane.impact]]\nat_mm = [10, 10]\nlarge_count = 3\n";
+  const glass::Pane window = read(pane(text)).panes[0];
+  EXPECT_EQ(window.growth.large_speed, 55.0);
+  EXPECT_EQ(window.growth.radial_speed, glass::preset("agui1992-fig14a")->growth.radial_speed);
+  EXPECT_EQ(window.impacts[0].radial_count, 113);
+  EXPECT_EQ(window.impacts[0].large_count, 3);
+  EXPECT_EQ(window.impacts[0].circular_count, 6);
+}
+
+TEST(ReadScene, DefaultsAreThoseOfTheTypes) {
+  const Scene scene = read(path("") + pane("size_mm = [100, 50]\n[[pane.impact]]\nat_mm = [1, 2]\n"));
+  EXPECT_EQ(scene.seed, 1U);
+  EXPECT_EQ(scene.still, Still{});
+  paving::Pavement pavement;
+  pavement.name = "p";
+  pavement.area = scene.pavements[0].area;
+  EXPECT_EQ(scene.pavements[0], pavement);
+  glass::Pane window;
+  window.name = "w";
+  window.outline_mm = scene.panes[0].outline_mm;
+  window.impacts.resize(1);
+  window.impacts[0].at_mm = {1, 2};
+  EXPECT_EQ(scene.panes[0], window);
+}
+
+TEST(ReadScene, WindingClosingAndRepeatedPointsDoNotMatter) {
+  const std::string impact = "[[pane.impact]]\nat_mm = [5, 2]\n";
+  const auto outline = [&](const std::string& list) {
+    return read(pane("outline_mm = " + list + "\n" + impact)).panes[0].outline_mm;
+  };
+  const geometry::Polygon expected = {{0, 0}, {9, 0}, {9, 9}};
+  EXPECT_EQ(outline("[[0, 0], [9, 0], [9, 9]]"), expected);
+  EXPECT_EQ(outline("[[0, 0], [9, 9], [9, 0]]"), expected);
+  EXPECT_EQ(outline("[[0, 0], [9, 0], [9, 9], [0, 0]]"), expected);
+  EXPECT_EQ(outline("[[0, 0], [0, 0.0004], [9, 0], [9, 0], [9.0003, 9], [0, 0], [0, 0]]"), expected);
+}
+
+TEST(ReadScene, EveryGrowthKeyReachesItsValue) {
+  // Each key in turn, set to a value that is not its default: the result must differ from the default.
+  const std::vector<std::string> keys = {"spread = \"uniform\"",
+                                         "spread_limit = 0.25",
+                                         "spread_deviation = 0.31",
+                                         "large_speed_px = 41",
+                                         "radial_speed_px = 11",
+                                         "circular_speed_px = 12",
+                                         "sector_angle_deg = 90",
+                                         "sector_radius_px = 51",
+                                         "turn_limit_deg = 29",
+                                         "weight_time = 11",
+                                         "time_step = 0.3",
+                                         "reference_radial_count = 90",
+                                         "energy_exponent = 1",
+                                         "count_dispersion = 2",
+                                         "circular_threshold = 71",
+                                         "circular_slope = 0.06",
+                                         "circular_offset = 0.6",
+                                         "large_slope = 0.07",
+                                         "large_offset = 3.5",
+                                         "large_rounding = \"down\"",
+                                         "ring_radius_slope_mm = 0.5",
+                                         "ring_radius_offset_mm = 14",
+                                         "tip_gain_px2 = 41",
+                                         "crack_gain_px2 = 61",
+                                         "sibling_gain_px2 = 1",
+                                         "edge_gain_px2 = 1501",
+                                         "wander_deg = 8",
+                                         "ring_pull = 1.1",
+                                         "ring_onset = 2.1"};
+  const std::string base = "size_mm = [9, 9]\n[[pane.impact]]\nat_mm = [1, 1]\n[pane.growth]\n";
+  std::vector<glass::Growth> seen = {glass::Growth{}};
+  for (const std::string& key : keys) {
+    const glass::Growth growth = read(pane(base + key + "\n")).panes[0].growth;
+    for (const glass::Growth& other : seen) EXPECT_NE(growth, other) << key;
+    seen.push_back(growth);
+  }
+  EXPECT_EQ(read(pane(base + "turn_limit_deg = 29\n")).panes[0].growth.turn_limit, Angle::degrees(29));
+}
+
+TEST(ReadScene, EveryPavementKeyReachesItsValue) {
+  const paving::Pavement p =
+      read(path("stone_mm = [120, 80]\njoint_mm = 4\n[pavement.surface]\nheight_mm = 9\nheight_spread = 0.1\n"
+                "inset = 0.2\ninset_spread = 0.4\n[pavement.relief]\nrms_mm = 0.3\nhurst = 0.5\n"))
+          .pavements[0];
+  EXPECT_EQ(p.stone_mm, vec2(120, 80));
+  EXPECT_EQ(p.joint_mm, 4.0);
+  EXPECT_EQ(p.surface, (paving::StoneSurface{9, 0.1, 0.2, 0.4}));
+  EXPECT_EQ(p.relief, (paving::Relief{0.3, 0.5}));
+}
+
+TEST(ReadScene, ReadsEveryKindOfDirection) {
+  const auto direction = [](const std::string& lines) {
+    return read(path("[pavement.direction]\n" + lines)).pavements[0].direction;
+  };
+  EXPECT_EQ(direction("angle_deg = 30\n"), paving::Direction(paving::ConstantDirection{Angle::degrees(30)}));
+  EXPECT_EQ(direction("kind = \"boundary\"\n"), paving::Direction(paving::BoundaryDirection{}));
+  EXPECT_EQ(direction("kind = \"radial\"\ncentre_mm = [5, 6]\n"), paving::Direction(paving::RadialDirection{{5, 6}}));
+  EXPECT_EQ(direction("kind = \"guides\"\nguides_mm = [[[0, 0], [9, 0], [9, 9]]]\n"),
+            paving::Direction(paving::GuidesDirection{{{{0, 0}, {9, 0}, {9, 9}}}}));
+}
+
+TEST(ReadScene, OverridesWinWhateverTheirPath) {
+  const std::vector<Override> overrides = {
+      {"--set", "seed", "9"},
+      {"--set", "pane[0].thickness_mm", "3"},
+      {"--set", "pane.window.size_mm[1]", "250"},
+      {"--set", "pavement.path.joint_mm", "4"},
+      {"--set", "pavement[0].relief.hurst", "0.5"},
+      {"--set", "pane[0].preset", "agui1992-fig16b"},
+      {"--set", "pane[0].impact[0].at_mm", "[20, 30]"},
+  };
+  const Scene scene = read(contract_scene, overrides);
+  EXPECT_EQ(scene.seed, 9U);
+  EXPECT_EQ(scene.panes[0].thickness_mm, 3.0);
+  EXPECT_EQ(scene.panes[0].outline_mm[2], vec2(300, 250));
+  EXPECT_EQ(scene.pavements[0].joint_mm, 4.0);
+  EXPECT_EQ(scene.pavements[0].relief.hurst, 0.5);
+  EXPECT_EQ(scene.panes[0].growth, glass::preset("agui1992-fig16b")->growth);
+  EXPECT_EQ(scene.panes[0].impacts[0].at_mm, vec2(20, 30));
+}
+
+}  // namespace
+}  // namespace shatterpave::scene

@@ -1,0 +1,273 @@
+// Every kind of wrong scene, with its whole message: one line that names the place, what was expected and what was found.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "scene/read_scene.h"
+
+namespace shatterpave::scene {
+namespace {
+
+struct Case {
+  std::string name;
+  std::string text;
+  std::string message;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+// A pane from its third line on, and a pavement.
+std::string pane(const std::string& lines) {
+  return "[[pane]]\nname = \"window\"\n" + lines + "\n[[pane.impact]]\nat_mm = [150, 150]\n";
+}
+std::string impact(const std::string& lines) {
+  return "[[pane]]\nname = \"w\"\nsize_mm = [300, 300]\n[[pane.impact]]\n" + lines + "\n";
+}
+std::string path(const std::string& lines) { return "[[pavement]]\nname = \"path\"\n" + lines + "\n"; }
+
+const std::string sized = "size_mm = [300, 300]\n";
+
+std::string nested(const std::string& open, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += open;
+  return text;
+}
+
+const std::vector<Case> cases = {
+    // The file.
+    {"empty", "", "s.toml: expected a [[pane]] or a [[pavement]], got neither"},
+    {"only_seed", "seed = 3\n", "s.toml: expected a [[pane]] or a [[pavement]], got neither"},
+    {"not_utf8", "seed = 1\nname = \"\xff\"\n", "s.toml:2:9: expected UTF-8 text, got the byte 0xff"},
+    {"overlong_utf8", "# \xc0\xaf\n", "s.toml:1:3: expected UTF-8 text, got the byte 0xc0"},
+    {"surrogate_utf8", "# \xed\xa0\x80\n", "s.toml:1:3: expected UTF-8 text, got the byte 0xed"},
+    {"not_toml", "seed = \n",
+     "s.toml:1:8: expected TOML, got an error: Error while parsing key-value pair: expected value, saw '\\n'"},
+    {"key_twice", "seed = 1\nseed = 2\n", ""},
+    {"deep_arrays", "seed = " + nested("[", 100'000), ""},
+    {"deep_tables", nested("a.", 100'000) + "a = 1\n", "s.toml:1:130: expected at most 64 dots in a row of words, got more"},
+    // Keys.
+    {"unknown_key", "sed = 3\n" + pane(sized), "s.toml:1:1: sed: unknown key; did you mean seed?"},
+    {"unknown_section", pane(sized) + "[[pavment]]\n", "s.toml:7:3: pavment: unknown key; did you mean pavement?"},
+    {"unknown_nested_key", pane(sized + "  thicknes_mm = 3"),
+     "s.toml:4:3: pane[0].thicknes_mm: unknown key; did you mean thickness_mm?"},
+    {"unknown_far_key", pane(sized + "colour = 3"), "s.toml:4:1: pane[0].colour: unknown key"},
+    {"unknown_impact_key", impact("at_mm = [1, 1]\nspeed = 3"), "s.toml:6:1: pane[0].impact[0].speed: unknown key"},
+    {"unknown_growth_key", pane(sized + "growth.sector_radius = 3"),
+     "s.toml:4:8: pane[0].growth.sector_radius: unknown key; did you mean sector_radius_px?"},
+    {"first_unknown_key", "zzz = 1\nyyy = 2\n" + pane(sized), "s.toml:1:1: zzz: unknown key"},
+    {"strange_key", "\"a\\nb\" = 1\n" + pane(sized), "s.toml:1:1: ?: unknown key"},
+    // Kinds of values.
+    {"seed_text", "seed = \"7\"\n" + pane(sized),
+     "s.toml:1:8: seed: expected a whole number from 0 to 9223372036854775807, got the text \"7\""},
+    {"seed_negative", "seed = -1\n" + pane(sized),
+     "s.toml:1:8: seed: expected a whole number from 0 to 9223372036854775807, got -1"},
+    {"seed_fraction", "seed = 1.5\n" + pane(sized),
+     "s.toml:1:8: seed: expected a whole number from 0 to 9223372036854775807, got 1.5"},
+    {"pane_no_array", "pane = 3\n", "s.toml:1:8: pane: expected tables [[pane]], got 3"},
+    {"pane_of_numbers", "pane = [3]\n", "s.toml:1:9: pane[0]: expected a table, got 3"},
+    {"growth_no_table", pane(sized + "growth = true"),
+     "s.toml:4:10: pane[0].growth: expected a table [pane[0].growth], got true"},
+    {"name_number", "[[pane]]\nname = 3\n", "s.toml:2:8: pane[0].name: expected a text in quotes, got 3"},
+    {"size_number", pane("size_mm = 300"), "s.toml:3:11: pane[0].size_mm: expected a point [x, y], got 300"},
+    {"size_three", pane("size_mm = [1, 2, 3]"),
+     "s.toml:3:11: pane[0].size_mm: expected a point [x, y], got a list of 3 values"},
+    {"thickness_date", pane(sized + "thickness_mm = 2024-01-01"),
+     "s.toml:4:16: pane[0].thickness_mm: expected a number from 0.1 to 1000, got a date or time"},
+    // Numbers.
+    {"nan", pane(sized + "thickness_mm = nan"),
+     "s.toml:4:16: pane[0].thickness_mm: expected a number from 0.1 to 1000, got nan"},
+    {"minus_nan", pane(sized + "thickness_mm = -nan"),
+     "s.toml:4:16: pane[0].thickness_mm: expected a number from 0.1 to 1000, got nan"},
+    {"infinity", pane(sized + "thickness_mm = inf"),
+     "s.toml:4:16: pane[0].thickness_mm: expected a number from 0.1 to 1000, got inf"},
+    {"thickness_zero", pane(sized + "thickness_mm = 0"),
+     "s.toml:4:16: pane[0].thickness_mm: expected a number from 0.1 to 1000, got 0"},
+    {"nan_coordinate", pane("outline_mm = [[0, 0], [nan, 0], [9, 9]]"),
+     "s.toml:3:24: pane[0].outline_mm[1][0]: expected a number from -1000000 to 1000000, got nan"},
+    {"far_coordinate", pane("outline_mm = [[0, 0], [2e6, 0], [9, 9]]"),
+     "s.toml:3:24: pane[0].outline_mm[1][0]: expected a number from -1000000 to 1000000, got 2000000"},
+    {"size_zero", pane("size_mm = [0, 300]"),
+     "s.toml:3:12: pane[0].size_mm[0]: expected a number above 0 and of at most 1000000, got 0"},
+    {"spread_limit_one", pane(sized + "growth.spread_limit = 1.0"),
+     "s.toml:4:23: pane[0].growth.spread_limit: expected a number of at least 0 and below 1, got 1"},
+    {"joint_infinite", path("size_mm = [9, 9]\njoint_mm = inf"),
+     "s.toml:4:12: pavement[0].joint_mm: expected a number from 0 to 1000, got inf"},
+    {"stone_tiny", path("size_mm = [9, 9]\nstone_mm = [0.5, 9]"),
+     "s.toml:4:13: pavement[0].stone_mm[0]: expected a number from 1 to 100000, got 0.5"},
+    {"too_many_stones", path("size_mm = [1e6, 1e6]\nstone_mm = [1, 1]\njoint_mm = 0"),
+     "s.toml:4:12: pavement[0].stone_mm: expected stones so large that at most 4000000 are needed, got about 1000000000000"},
+    // Names.
+    {"no_name", "[[pane]]\n" + sized, "s.toml:1:1: pane[0].name: expected a name, got none"},
+    {"empty_name", "[[pane]]\nname = \"\"\n" + sized,
+     "s.toml:2:8: pane[0].name: expected 1 to 64 letters, digits, '_' and '-', the first a letter, got \"\""},
+    {"name_with_slash", "[[pane]]\nname = \"a/b\"\n" + sized,
+     "s.toml:2:8: pane[0].name: expected 1 to 64 letters, digits, '_' and '-', the first a letter, got \"a/b\""},
+    {"name_with_newline", "[[pane]]\nname = \"a\\nb\"\n" + sized,
+     "s.toml:2:8: pane[0].name: expected 1 to 64 letters, digits, '_' and '-', the first a letter, got \"a\\x0ab\""},
+    {"name_digit_first", "[[pane]]\nname = \"1a\"\n" + sized,
+     "s.toml:2:8: pane[0].name: expected 1 to 64 letters, digits, '_' and '-', the first a letter, got \"1a\""},
+    {"name_twice", pane(sized) + pane(sized), "s.toml:8:8: pane[1].name: expected a name of its own, got that of pane[0]"},
+    {"name_twice_across", pane(sized) + "[[pavement]]\nname = \"window\"\nsize_mm = [9, 9]\n",
+     "s.toml:8:8: pavement[0].name: expected a name of its own, got that of pane[0]"},
+    {"name_twice_but_for_case", pane(sized) + "[[pavement]]\nname = \"Window\"\nsize_mm = [9, 9]\n",
+     "s.toml:8:8: pavement[0].name: expected a name of its own, got that of pane[0]"},
+    // Outlines.
+    {"no_outline", pane(""), "s.toml:1:1: pane[0].outline_mm: expected size_mm, outline_mm or outline_file, got none of them"},
+    {"outline_twice", pane("size_mm = [9, 9]\noutline_mm = [[0, 0], [9, 0], [9, 9]]"),
+     "s.toml:4:14: pane[0].outline_mm: expected one outline, got outline_mm beside size_mm"},
+    {"outline_and_file", pane("outline_mm = [[0, 0], [9, 0], [9, 9]]\noutline_file = \"a.svg\""),
+     "s.toml:4:16: pane[0].outline_file: expected one outline, got outline_file beside outline_mm"},
+    {"feature_without_file", pane(sized + "outline_feature = 1"),
+     "s.toml:4:19: pane[0].outline_feature: expected outline_file beside it, got none"},
+    {"two_points", pane("outline_mm = [[0, 0], [9, 9], [0, 0]]"),
+     "s.toml:3:14: pane[0].outline_mm: expected 3 or more distinct points, got 2"},
+    {"points_within_a_micrometre", pane("outline_mm = [[0, 0], [0.0001, 0], [0, 0.0002]]"),
+     "s.toml:3:14: pane[0].outline_mm: expected 3 or more distinct points, got 1"},
+    {"no_area", pane("outline_mm = [[0, 0], [9, 9], [5, 5]]"),
+     "s.toml:3:14: pane[0].outline_mm: expected edges that do not overlap, got edge 0 of the outline and edge 2 of the outline "
+     "overlapping at (0, 0)"},
+    {"bow_tie", pane("outline_mm = [[0, 0], [10, 10], [10, 0], [0, 10]]"),
+     "s.toml:3:14: pane[0].outline_mm: expected edges that do not cross, got edge 0 of the outline and edge 2 of the outline "
+     "crossing "
+     "at (5, 5)"},
+    {"bow_tie_with_repeated_points", pane("outline_mm = [[0, 0], [0, 0], [10, 10], [10, 0], [10, 0], [0, 10], [0, 0]]"),
+     "s.toml:3:14: pane[0].outline_mm: expected edges that do not cross, got edge 1 of the outline and edge 4 of the outline "
+     "crossing "
+     "at (5, 5)"},
+    {"touches_itself", pane("outline_mm = [[0, 0], [10, 0], [10, 10], [5, 0], [0, 10]]"),
+     "s.toml:3:14: pane[0].outline_mm: expected a ring that does not touch itself, got edge 0 of the outline and edge 3 of the "
+     "outline "
+     "meeting at (5, 0)"},
+    {"holes_in_pane", pane(sized + "holes_mm = []"), "s.toml:4:1: pane[0].holes_mm: unknown key"},
+    {"hole_outside", path("size_mm = [9, 9]\nholes_mm = [[[20, 1], [21, 1], [21, 2]]]"),
+     "s.toml:4:13: pavement[0].holes_mm[0]: expected holes inside the outline, got hole 0 outside at (20, 1)"},
+    {"hole_across", path("size_mm = [9, 9]\nholes_mm = [[[1, 1], [2, 1], [2, 2]], [[8, 1], [10, 1], [8, 2]]]"),
+     "s.toml:4:39: pavement[0].holes_mm[1]: expected edges that do not cross, got edge 1 of the outline and edge 0 of hole 1 "
+     "crossing "
+     "at (9, 1)"},
+    {"hole_in_hole", path("size_mm = [9, 9]\nholes_mm = [[[1, 1], [8, 1], [8, 8]], [[6, 2], [7, 2], [7, 3]]]"),
+     "s.toml:4:39: pavement[0].holes_mm[1]: expected holes that do not overlap, got hole 1 inside another at (6, 2)"},
+    {"holes_no_list", path("size_mm = [9, 9]\nholes_mm = [[1, 1], [2, 1], [2, 2]]"),
+     "s.toml:4:14: pavement[0].holes_mm[0][0]: expected a point [x, y], got 1"},
+    {"outline_file_missing", pane("outline_file = \"none.svg\""),
+     "s.toml:3:16: pane[0].outline_file: expected a file, got none of that name: none.svg"},
+    {"outline_file_kind", pane("outline_file = \"a.dxf\""),
+     "s.toml:3:16: pane[0].outline_file: expected a file that ends in .geojson, .json or .svg, got \"a.dxf\""},
+    // Impacts.
+    {"no_impact", "[[pane]]\nname = \"w\"\n" + sized,
+     "s.toml:1:1: pane[0].impact: expected one or more tables [[pane.impact]], got none"},
+    {"impact_nowhere", impact("radial_count = 9"), "s.toml:4:1: pane[0].impact[0].at_mm: expected a point [x, y], got none"},
+    {"impact_outside", impact("at_mm = [301, 5]"),
+     "s.toml:5:9: pane[0].impact[0].at_mm: expected a point inside the outline of the pane, got (301, 5)"},
+    {"impact_on_edge", impact("at_mm = [300, 5]"),
+     "s.toml:5:9: pane[0].impact[0].at_mm: expected a point inside the outline of the pane, got (300, 5)"},
+    {"impact_on_corner", impact("at_mm = [0, 0]"),
+     "s.toml:5:9: pane[0].impact[0].at_mm: expected a point inside the outline of the pane, got (0, 0)"},
+    {"impact_in_notch",
+     "[[pane]]\nname = \"w\"\noutline_mm = [[0, 0], [9, 0], [9, 9], [5, 1], [0, 9]]\n[[pane.impact]]\nat_mm = [5, 5]\n",
+     "s.toml:5:9: pane[0].impact[0].at_mm: expected a point inside the outline of the pane, got (5, 5)"},
+    {"both_counts", impact("at_mm = [5, 5]\nradial_count = 9\nmean_radial_count = 9"),
+     "s.toml:7:21: pane[0].impact[0].mean_radial_count: expected either radial_count or mean_radial_count, got both"},
+    {"no_radials", impact("at_mm = [5, 5]\nradial_count = 0"),
+     "s.toml:6:16: pane[0].impact[0].radial_count: expected a whole number from 1 to 10000, got 0"},
+    {"large_above_all", impact("at_mm = [5, 5]\nradial_count = 9\nlarge_count = 10"),
+     "s.toml:7:15: pane[0].impact[0].large_count: expected a whole number from 0 to 9, got 10"},
+    {"preset_unknown", pane(sized + "preset = \"agui1992-fig15\""),
+     "s.toml:4:10: pane[0].preset: expected a preset such as \"agui1992-fig15a\", got \"agui1992-fig15\""},
+    // Directions.
+    {"direction_kind", path("size_mm = [9, 9]\ndirection.kind = \"spiral\""),
+     "s.toml:4:18: pavement[0].direction.kind: expected \"constant\" or \"boundary\" or \"radial\" or \"guides\", got the text "
+     "\"spiral\""},
+    {"guides_missing", path("size_mm = [9, 9]\ndirection.kind = \"guides\""),
+     "s.toml:4:1: pavement[0].direction.guides_mm: expected one or more polylines, got none"},
+    {"guide_of_one_point", path("size_mm = [9, 9]\ndirection.guides_mm = [[[1, 1], [1, 1]]]"),
+     "s.toml:4:24: pavement[0].direction.guides_mm[0]: expected 2 or more distinct points, got 1"},
+    {"angle_nan", path("size_mm = [9, 9]\ndirection.angle_deg = nan"),
+     "s.toml:4:23: pavement[0].direction.angle_deg: expected a number from -360 to 360, got nan"},
+};
+
+class SceneErrors : public testing::TestWithParam<Case> {};
+
+TEST_P(SceneErrors, NamePlaceAndRemedyInOneLine) {
+  try {
+    scene_of_text(GetParam().text, "s.toml");
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    if (!GetParam().message.empty()) {
+      EXPECT_EQ(message, GetParam().message);
+    }
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+    EXPECT_TRUE(message.starts_with("s.toml:"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, SceneErrors, testing::ValuesIn(cases), [](const auto& test) { return test.param.name; });
+
+struct OverrideCase {
+  std::string name;
+  std::string set;
+  std::string message;
+};
+
+void PrintTo(const OverrideCase& c, std::ostream* out) { *out << c.name; }
+
+class OverrideErrors : public testing::TestWithParam<OverrideCase> {};
+
+TEST_P(OverrideErrors, NameTheOption) {
+  const std::string& set = GetParam().set;
+  const Override change{"--set " + set, set.substr(0, set.find('=')), set.substr(set.find('=') + 1)};
+  try {
+    scene_of_text(pane(sized) + path(sized), "s.toml", {change});
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), GetParam().message);
+  }
+}
+
+const std::vector<OverrideCase> override_cases = {
+    {"nan", "pane[0].thickness_mm=nan",
+     "--set pane[0].thickness_mm=nan: pane[0].thickness_mm: expected a number from 0.1 to 1000, got nan"},
+    {"text", "pane[0].thickness_mm=3,5",
+     "--set pane[0].thickness_mm=3,5: pane[0].thickness_mm: expected a number from 0.1 to 1000, got the text \"3,5\""},
+    {"two_values", "seed=1\npane=2",
+     "--set seed=1\npane=2: seed: expected a whole number from 0 to 9223372036854775807, got the text \"1\\x0apane=2\""},
+    {"unknown", "pane[0].thick=3", "--set pane[0].thick=3: pane[0].thick: unknown key"},
+    {"made_table", "pane[0].growht.time_step=1",
+     "--set pane[0].growht.time_step=1: pane[0].growht: unknown key; did you mean growth?"},
+    {"index", "pane[1].thickness_mm=3", "--set pane[1].thickness_mm=3: expected an index below 1, got 1"},
+    {"name", "pavement.yard.joint_mm=3",
+     "--set pavement.yard.joint_mm=3: expected an index or the name of an element, got \"yard\""},
+    {"no_table", "pane[0].name.x=3",
+     "--set pane[0].name.x=3: expected a key that leads to a value, got one that goes on after the text \"window\""},
+    {"double_dot", "pane..x=3",
+     "--set pane..x=3: expected a key such as seed, pane[0].thickness_mm or pavement.path.joint_mm, got \"pane..x\""},
+    {"open_bracket", "pane[0=3",
+     "--set pane[0=3: expected a key such as seed, pane[0].thickness_mm or pavement.path.joint_mm, got \"pane[0\""},
+    {"trailing_dot", "pane.=3",
+     "--set pane.=3: expected a key such as seed, pane[0].thickness_mm or pavement.path.joint_mm, got \"pane.\""},
+};
+
+INSTANTIATE_TEST_SUITE_P(Cases, OverrideErrors, testing::ValuesIn(override_cases),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(SceneOfFile, RefusesWhatIsNoFile) {
+  const auto message = [](const std::string& file) {
+    try {
+      scene_of_file(file);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message("no/such.toml"), "no/such.toml: expected a file, got none of that name");
+  EXPECT_EQ(message("/"), "/: expected a file, got a folder");
+  EXPECT_EQ(message("/dev/zero"), "/dev/zero: expected a regular file, got something else");
+}
+
+TEST(SceneOfText, RefusesAnUnusableSceneName) { EXPECT_THROW(scene_of_text(pane(sized), "a\"b.toml"), InputError); }
+
+}  // namespace
+}  // namespace shatterpave::scene

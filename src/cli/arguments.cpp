@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <map>
 
 #include "core/error.h"
@@ -14,7 +15,11 @@ namespace {
 
 const std::map<std::string, Target> target_names = {{"povray", Target::povray}, {"json", Target::json}, {"svg", Target::svg}};
 
+const std::map<std::string, pipeline::Quality> quality_names = {{"draft", pipeline::Quality::draft},
+                                                                {"final", pipeline::Quality::final}};
+
 constexpr int most_threads = 1024;
+constexpr int most_pixels = 16384;  // a side; POV-Ray keeps the whole picture in memory
 
 // What is given as text and turned into values after CLI11 is done with it.
 struct SceneOptions {
@@ -36,6 +41,10 @@ void add_threads(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "Number of threads; 0, the default, takes all processors")
       ->type_name("N")
       ->check(CLI::Range(0, most_threads));
+}
+
+void add_output(CLI::App& command, std::string& output) {
+  command.add_option("-o", output, "The output folder; made if it is missing")->type_name("DIR")->required();
 }
 
 std::vector<scene::Override> overrides_of(const SceneOptions& options) {
@@ -66,28 +75,69 @@ std::string one_line(std::string text) {
   return text;
 }
 
+// WIDTHxHEIGHT in pixels.
+void read_size(const std::string& text, pipeline::RenderOptions& options) {
+  if (text.empty()) return;
+  const char* end = text.data() + text.size();
+  const auto [x, width_error] = std::from_chars(text.data(), end, options.width);
+  const bool has_x = width_error == std::errc{} && x != end && *x == 'x';
+  const auto [rest, height_error] = std::from_chars(has_x ? x + 1 : end, end, options.height);
+  const auto in_range = [](int pixels) { return pixels >= 1 && pixels <= most_pixels; };
+  if (!has_x || height_error != std::errc{} || rest != end || !in_range(options.width) || !in_range(options.height)) {
+    throw InputError(fmt::format("shatterpave: --size: expected WxH with 1 to {} pixels each, got \"{}\"", most_pixels, text));
+  }
+}
+
+// All that may be asked for, as CLI11 fills it in.
+struct Requests {
+  SceneOptions scene;
+  std::string output;
+  std::vector<Target> targets;
+  pipeline::RenderOptions render;
+  std::string size;
+  int threads = 0;
+};
+
+CLI::App* add_export(CLI::App& app, Requests& requests) {
+  CLI::App* command = app.add_subcommand("export", "Write what renderers and other programs read");
+  add_scene_options(*command, requests.scene);
+  add_output(*command, requests.output);
+  command->add_option("--target", requests.targets, "povray (the default), json or svg; may be repeated")
+      ->type_name("TARGET")
+      ->allow_extra_args(false)
+      ->transform(CLI::CheckedTransformer(target_names).description(""));
+  add_threads(*command, requests.threads);
+  return command;
+}
+
+CLI::App* add_check(CLI::App& app, Requests& requests) {
+  CLI::App* command = app.add_subcommand("check", "Validate a scene file; writes nothing");
+  add_scene_options(*command, requests.scene);
+  return command;
+}
+
+CLI::App* add_render(CLI::App& app, Requests& requests) {
+  CLI::App* command = app.add_subcommand("render", "Render the scene's still by POV-Ray: DIR/SCENE.exr and DIR/SCENE.png");
+  add_scene_options(*command, requests.scene);
+  add_output(*command, requests.output);
+  command->add_option("--quality", requests.render.quality, "draft (the default, 640x480) or final (1200x900)")
+      ->type_name("QUALITY")
+      ->transform(CLI::CheckedTransformer(quality_names).description(""));
+  command->add_option("--size", requests.size, "Size of the picture in pixels")->type_name("WxH");
+  add_threads(*command, requests.threads);
+  return command;
+}
+
 }  // namespace
 
 Command command_of(int argc, const char* const* argv) {
   CLI::App app("Shattered window glass and stone paving for offline renderers.", "shatterpave");
   app.require_subcommand(1);
   app.set_version_flag("--version", "shatterpave " SHATTERPAVE_VERSION);
-  SceneOptions scene;
-  Export job;
-  std::string output;
-
-  CLI::App& export_command = *app.add_subcommand("export", "Write what renderers and other programs read");
-  add_scene_options(export_command, scene);
-  export_command.add_option("-o", output, "The output folder; made if it is missing")->type_name("DIR")->required();
-  export_command.add_option("--target", job.targets, "povray (the default), json or svg; may be repeated")
-      ->type_name("TARGET")
-      ->allow_extra_args(false)
-      ->transform(CLI::CheckedTransformer(target_names));
-  add_threads(export_command, job.threads);
-
-  CLI::App& check_command = *app.add_subcommand("check", "Validate a scene file; writes nothing");
-  add_scene_options(check_command, scene);
-
+  Requests requests;
+  const CLI::App* export_command = add_export(app, requests);
+  const CLI::App* check_command = add_check(app, requests);
+  add_render(app, requests);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -97,12 +147,15 @@ Command command_of(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw InputError(fmt::format("shatterpave: {} (see shatterpave --help)", one_line(error.what())));
   }
-  if (check_command.parsed()) return Check{scene.scene, overrides_of(scene)};
-  job.scene = scene.scene;
-  job.overrides = overrides_of(scene);
-  job.output = output;
-  job.targets = targets_of(std::move(job.targets));
-  return job;
+  const std::filesystem::path scene = requests.scene.scene;
+  std::vector<scene::Override> overrides = overrides_of(requests.scene);
+  if (check_command->parsed()) return Check{scene, std::move(overrides)};
+  if (export_command->parsed()) {
+    return Export{scene, std::move(overrides), requests.output, targets_of(std::move(requests.targets)), requests.threads};
+  }
+  requests.render.threads = requests.threads;
+  read_size(requests.size, requests.render);
+  return Render{scene, std::move(overrides), requests.output, requests.render};
 }
 
 }  // namespace shatterpave::cli

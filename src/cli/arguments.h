@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "pipeline/render.h"
 #include "scene/override.h"
 
 namespace shatterpave::cli {
@@ -25,12 +26,19 @@ struct Check {
   std::vector<scene::Override> overrides;
 };
 
+struct Render {
+  std::filesystem::path scene;
+  std::vector<scene::Override> overrides;
+  std::filesystem::path output;
+  pipeline::RenderOptions options;
+};
+
 // Only a text is asked for: help or version.
 struct Show {
   std::string text;
 };
 
-using Command = std::variant<Export, Check, Show>;
+using Command = std::variant<Export, Check, Render, Show>;
 
 // Throws InputError, with a message of one line, where the usage is wrong.
 Command command_of(int argc, const char* const* argv);

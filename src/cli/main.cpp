@@ -15,8 +15,10 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "export/json/geometry_json.h"
+#include "export/povray/povray.h"
 #include "export/svg/drawing_svg.h"
 #include "pipeline/generate.h"
+#include "pipeline/render.h"
 #include "pipeline/write.h"
 #include "scene/read_scene.h"
 
@@ -24,7 +26,7 @@ namespace {
 
 using namespace shatterpave;
 
-enum ExitStatus { done = 0, program_failed = 1, input_wrong = 2 };
+enum ExitStatus { done = 0, program_failed = 1, input_wrong = 2, renderer_failed = 3 };
 
 volatile std::sig_atomic_t signal_received = 0;
 
@@ -76,7 +78,7 @@ std::vector<exporting::OutputFile> files_of(const exporting::Model& model, const
     for (exporting::OutputFile& file : more) files.push_back(std::move(file));
   };
   for (const cli::Target target : targets) {
-    if (target == cli::Target::povray) throw InputError("shatterpave: --target povray: expected json or svg, got povray");
+    if (target == cli::Target::povray) add(exporting::povray::povray_files(model));
     if (target == cli::Target::json) add({exporting::json_file(model)});
     if (target == cli::Target::svg) add(exporting::svg_files(model));
   }
@@ -104,6 +106,21 @@ void run(const cli::Export& job) {
 
 void run(const cli::Check& job) { static_cast<void>(scene::scene_of_file(job.scene, job.overrides)); }
 
+void run(const cli::Render& job) {
+  const ThreadLimit limit(job.options.threads);
+  const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
+  pipeline::require_output_folder(job.output);
+  pipeline::Picture picture;
+  {
+    ProgressBar bar;
+    const exporting::Model model = pipeline::generated(scene, bar.progress());
+    const SignalNotes notes;
+    picture = pipeline::rendered(model, job.options, job.output, bar.progress(), SignalNotes::received);
+  }
+  print(stderr, picture.messages);
+  print_paths(picture.files);
+}
+
 void run(const cli::Show& show) { print(stdout, show.text); }
 
 // Ends as the signal would have ended it, so that a shell sees what happened.
@@ -127,6 +144,8 @@ int main(int argc, char** argv) {
     return done;
   } catch (const InputError& error) {
     return failed(input_wrong, error.what());
+  } catch (const pipeline::RendererError& error) {
+    return failed(renderer_failed, error.what());
   } catch (const pipeline::Interrupted&) {
     return end_by_signal();
   } catch (const std::bad_alloc&) {

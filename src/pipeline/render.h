@@ -1,0 +1,42 @@
+// Pictures of a model, by POV-Ray.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/progress.h"
+#include "export/model.h"
+#include "pipeline/write.h"
+
+namespace shatterpave::pipeline {
+
+enum class Quality { draft, final };
+
+struct RenderOptions {
+  Quality quality = Quality::draft;
+  int width = 0;    // px, 1 … 16384; 0: 640 for a draft, 1200 for a final picture
+  int height = 0;   // px; 0: 480 or 900
+  int threads = 0;  // 0: all processors
+
+  bool operator==(const RenderOptions&) const = default;
+};
+
+// The renderer failed, is not there, or crashed: exit status 3. what() holds its own last message.
+class RendererError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Picture {
+  std::vector<std::filesystem::path> files;  // NAME.exr, linear half float; NAME.png, sRGB of 8 bits
+  std::string messages;                      // the renderer's warnings, lines ended by '\n'; mostly empty
+};
+
+// Renders the still of the model and leaves the two files, and nothing else, in `output`. POV-Ray runs in a temporary folder
+// with every option that shows in a picture given, so that no user's settings do. The files hold no time.
+Picture rendered(const exporting::Model& model, const RenderOptions& options, const std::filesystem::path& output,
+                 const Progress& progress = {}, const Cancelled& cancelled = {});
+
+}  // namespace shatterpave::pipeline

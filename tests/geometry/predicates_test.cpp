@@ -80,7 +80,7 @@ TEST(Predicates, SideOfFarAndNearlyStraightPointsIsExact) {
     const LatticePoint b{a.x + step.x, a.y + step.y};
     const LatticePoint c{a.x + 3 * step.x + drawn(i, 4, -1, 1), a.y + 3 * step.y + drawn(i, 5, -1, 1)};
     ASSERT_EQ(side(a, b, c), oracle_side(a, b, c));
-    ++sides[static_cast<std::size_t>(static_cast<int>(side(a, b, c)) + 1)];
+    ++sides[static_cast<std::size_t>(static_cast<std::int64_t>(side(a, b, c)) + 1)];
   }
   for (const int count : sides) EXPECT_GT(count, 1000) << "each side must be reached often";
 }

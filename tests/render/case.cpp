@@ -20,7 +20,7 @@ T required(const toml::table& table, std::string_view key) {
 }
 
 std::string reason(const toml::table& table) {
-  const auto text = required<std::string>(table, "because");
+  auto text = required<std::string>(table, "because");
   if (text.size() < 20) fail("a tolerance needs its reason in `because`");
   return text;
 }

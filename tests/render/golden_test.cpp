@@ -78,6 +78,7 @@ struct MissOfCase {
   std::string of;
   std::string miss;
 
+  // NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for.
   friend void PrintTo(const MissOfCase& value, std::ostream* stream) { *stream << value.of << ": " << value.miss; }
 };
 

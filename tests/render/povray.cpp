@@ -24,6 +24,7 @@ std::string text_of(const std::filesystem::path& file) {
 // Runs the command in `folder` with all that it says going to `log`. Returns what waitpid says.
 int status_of(std::vector<std::string> words, const std::filesystem::path& folder, const std::filesystem::path& log) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;

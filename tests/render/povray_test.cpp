@@ -22,7 +22,7 @@ sphere { <0, 1, 0>, 1 pigment { rgbt 1 } interior { ior )" +
 }
 
 std::filesystem::path folder_with(const std::string& name, const std::string& scene) {
-  const std::filesystem::path folder = output_folder() / name;
+  std::filesystem::path folder = output_folder() / name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "scene.pov") << scene;

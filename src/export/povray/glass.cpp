@@ -35,8 +35,10 @@ constexpr std::string_view standing = "   matrix <1, 0, 0, 0, 0, -1, 0, 1, 0, 0,
 void append_slab(std::string& text, const glass::Pane& pane, const std::string& prefix) {
   const geometry::Box box = geometry::bounding_box(pane.outline_mm);
   const double half = 0.5 * pane.thickness_mm;
-  text += fmt::format("#declare {0}_Min = {1};\n#declare {0}_Max = {2};\n#declare {0}_Thickness = {3};\n\n", prefix,
-                      standing_point({box.low, half}), standing_point({box.high, -half}), number(pane.thickness_mm));
+  text += fmt::format(
+      "#declare {0}_Min = {1};\n#declare {0}_Max = {2};\n#declare {0}_Thickness = {3};\n#declare {0}_Rectangular = {4};\n\n",
+      prefix, standing_point({box.low, half}), standing_point({box.high, -half}), number(pane.thickness_mm),
+      is_rectangle(pane.outline_mm) ? 1 : 0);
   if (is_rectangle(pane.outline_mm)) {
     text += fmt::format("#declare {0}_Slab = box {{ {0}_Min, {0}_Max }}\n\n", prefix);
     return;
@@ -90,8 +92,9 @@ std::vector<std::string> crushed_texts(const TubedCracks& cracks, const std::str
 
 void append_whole(std::string& text, const TubedCracks& cracks, const std::string& prefix) {
   std::vector<std::string> parts{fmt::format("   object {{ {}_Slab material {{ Glass }} }}\n", prefix)};
-  if (!cracks.tubes.empty()) parts.push_back(fmt::format("   object {{ {}_Cracks material {{ Crack }} }}\n", prefix));
-  if (!cracks.zones.empty()) parts.push_back(fmt::format("   object {{ {}_Crushed }}\n", prefix));
+  if (!cracks.tubes.empty())
+    parts.push_back(fmt::format("   object {{ {}_Cracks material {{ Crack }} double_illuminate }}\n", prefix));
+  if (!cracks.zones.empty()) parts.push_back(fmt::format("   object {{ {}_Crushed double_illuminate }}\n", prefix));
   text += fmt::format(
       "#macro {0}_Broken(Glass, Crack)\n{1}#end\n\n#declare {0}_Pane = object {{ {0}_Broken(Shatterpave_Glass, "
       "Shatterpave_Crack) }}\n",
@@ -137,6 +140,7 @@ IncludeHeader header(const BrokenPane& broken, const std::string& prefix) {
       "                  thick, about z = 0, without texture: for a frame",
       line("   {0}_Min, {0}_Max  corners of the bounding box of the slab"),
       line("   {0}_Thickness  of the slab"),
+      line("   {0}_Rectangular  1 if the outline fills the bounding box, else 0"),
   };
   return header;
 }

@@ -57,6 +57,7 @@ std::string model_text(const Model& model, const std::vector<std::string>& panes
   text += choice("Still_Pane(I)", each(panes, "object {{ {}_Pane }}"));
   text += array("Still_Pane_Min", each(panes, "{}_Min"));
   text += array("Still_Pane_Max", each(panes, "{}_Max"));
+  text += array("Still_Pane_Rectangular", each(panes, "{}_Rectangular"));
   text += choice("Still_Pane_Surround(I, Width, Depth)", each(panes, "{}_Surround(Width, Depth)"));
   text += choice("Still_Pavement(I)", each(pavements, "object {{ {}_Pavement }}"));
   text += choice("Still_Pavement_Bed(I)", each(pavements, "object {{ {}_Bed }}"));

@@ -13,8 +13,9 @@ namespace shatterpave::exporting::povray {
 // The scene is the template `model.setting` (where that is empty: "window_still" if there is a pane, else "path_still"), in
 // which the line `//@model` is replaced by declarations of what there is to see:
 //    Still_Pane_Count, Still_Pavement_Count
-//    Still_Pane(I), Still_Pane_Surround(I, Width, Depth), Still_Pavement(I), Still_Pavement_Bed(I)      macros, I from 0
-//    Still_Pane_Min[I], Still_Pane_Max[I], Still_Pavement_Min[I], Still_Pavement_Max[I]                 where there are any
+//    Still_Pane(I), Still_Pane_Surround(I, Width, Depth), Still_Pavement(I), Still_Pavement_Bed(I)    macros, I from 0
+// and, where there are any, the arrays
+//    Still_Pane_Min, Still_Pane_Max, Still_Pane_Rectangular, Still_Pavement_Min, Still_Pavement_Max
 // Throws InputError where there is no such template.
 std::vector<OutputFile> povray_files(const Model& model);
 

@@ -26,8 +26,8 @@ using glass::CrackEnd;
 using glass::CrackKind;
 
 // Radius of a tube by the thickness of the pane. By eye: a crack is a sheet through the thickness, never quite upright, and
-// shows about an eighth of the thickness wide.
-constexpr double radius_by_thickness = 0.06;
+// shows about a fifth of the thickness wide.
+constexpr double radius_by_thickness = 0.09;
 // Cracks that do not run through to the edge are less open. By eye.
 constexpr double narrow_share = 0.75;
 // A tip within the glass is narrower still, over the last third of its crack. By eye.

@@ -1,0 +1,40 @@
+// Panes for the tests of exporters.
+#pragma once
+
+#include <vector>
+
+#include "export/model.h"
+#include "glass/growth.h"
+
+namespace shatterpave::support {
+
+// 300 × 300 × 2 mm, hit in the middle, with that many radial cracks.
+inline glass::Pane pane_with(int radial_count) {
+  glass::Pane pane;
+  pane.name = "window";
+  pane.outline_mm = {{0, 0}, {300, 0}, {300, 300}, {0, 300}};
+  glass::Impact impact;
+  impact.at_mm = {150, 150};
+  impact.radial_count = radial_count;
+  pane.impacts = {impact};
+  return pane;
+}
+
+inline exporting::BrokenPane broken_pane(const glass::Pane& pane) { return {pane, glass::grown_cracks(pane, 7)}; }
+
+// Hand-made cracks from edge to edge, without an impact; the one at `ending` ends on the one before it.
+inline glass::CrackNetwork network_of(const std::vector<std::vector<vec2>>& cracks, int ending) {
+  glass::CrackNetwork network;
+  network.impacts = {{{250, 250}, 0, 0, 0}};
+  for (const std::vector<vec2>& points : cracks) {
+    const int id = static_cast<int>(network.cracks.size());
+    glass::Crack crack{id, 0, glass::CrackKind::large, points, {}, {}};
+    crack.start.at = glass::CrackEnd::At::edge;
+    crack.end.at = id == ending ? glass::CrackEnd::At::crack : glass::CrackEnd::At::edge;
+    if (id == ending) crack.end.crack = id - 1;
+    network.cracks.push_back(crack);
+  }
+  return network;
+}
+
+}  // namespace shatterpave::support

@@ -1,0 +1,113 @@
+#include "export/povray/povray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "core/error.h"
+#include "export_panes.h"
+#include "render/povray.h"
+
+namespace shatterpave::exporting::povray {
+namespace {
+
+using support::broken_pane;
+using support::pane_with;
+
+Model model_with(const std::vector<glass::Pane>& panes) {
+  Model model;
+  model.name = "scene";
+  for (const glass::Pane& pane : panes) model.panes.push_back(broken_pane(pane));
+  return model;
+}
+
+const OutputFile& file_named(const std::vector<OutputFile>& files, const std::string& name) {
+  const auto found = std::ranges::find(files, name, &OutputFile::name);
+  if (found == files.end()) throw std::runtime_error("no file " + name);
+  return *found;
+}
+
+TEST(PovrayFiles, FolderNeedsNothingButPovraysOwnIncludes) {
+  const std::vector<OutputFile> files = povray_files(model_with({pane_with(24)}));
+  std::set<std::string> names;
+  for (const OutputFile& file : files) EXPECT_TRUE(names.insert(file.name).second) << file.name;
+  const std::regex include("#include \"([^\"]+)\"");
+  int included = 0;
+  for (const OutputFile& file : files) {
+    for (std::sregex_iterator found(file.content.begin(), file.content.end(), include), end; found != end; ++found) {
+      EXPECT_TRUE(names.contains((*found)[1]) || (*found)[1] == "functions.inc") << (*found)[1];
+      ++included;
+    }
+  }
+  EXPECT_GE(included, 3);
+}
+
+TEST(PovrayFiles, IncludesHoldDeclarationsOnly) {
+  for (const OutputFile& file : povray_files(model_with({pane_with(24)}))) {
+    if (!file.name.ends_with(".inc")) continue;
+    for (const char* word : {"camera", "light_source", "global_settings"}) {
+      EXPECT_FALSE(std::regex_search(file.content, std::regex(std::string("(^|\\n)\\s*") + word + "\\s*\\{")))
+          << file.name << " holds " << word;
+    }
+    EXPECT_NE(file.content.find("_Inc_Temp)\n"), std::string::npos) << file.name;
+    EXPECT_TRUE(file.content.ends_with("_Inc_Temp;\n#end\n")) << file.name;
+  }
+}
+
+TEST(PovrayFiles, HeaderNamesWhatTheFileDeclares) {
+  const std::vector<OutputFile> files = povray_files(model_with({pane_with(24)}));
+  const std::string& text = file_named(files, "window.inc").content;
+  const std::string header = text.substr(0, text.find("#ifndef"));
+  const std::regex declaration("\\n#(?:declare|macro) (window_\\w+)");
+  for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found) {
+    if ((*found)[1] == "window_Inc_Temp") continue;
+    EXPECT_NE(header.find((*found)[1].str()), std::string::npos) << (*found)[1];
+  }
+}
+
+TEST(PovrayFiles, UnknownSettingIsAnInputError) {
+  Model model = model_with({});
+  model.setting = "moon_still";
+  EXPECT_THROW(povray_files(model), InputError);
+}
+
+// ---- by POV-Ray itself, which must end with 0 and without one warning
+
+void expect_renders(const std::string& name, const Model& model) {
+  const std::filesystem::path folder = render_tests::output_folder() / ("glass_" + name);
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  for (const OutputFile& file : povray_files(model)) std::ofstream(folder / file.name, std::ios::binary) << file.content;
+  const relief::Raster picture = render_tests::rendered(folder, "scene.pov", 160, 120);
+  EXPECT_EQ(picture.values.size(), 160U * 120U * 3U);
+  EXPECT_TRUE(std::ranges::all_of(picture.values, [](float value) { return value >= 0.0F; }));
+}
+
+class RenderGlass : public testing::TestWithParam<int> {};
+
+TEST_P(RenderGlass, WithoutWarning) { expect_renders(std::to_string(GetParam()), model_with({pane_with(GetParam())})); }
+
+INSTANTIATE_TEST_SUITE_P(Radials, RenderGlass, testing::Values(1, 24, 113, 200, 1000));
+
+TEST(RenderGlassCases, PanesOfManyShapesSideBySide) {
+  glass::Pane corner = pane_with(40);
+  corner.name = "corner-pane";
+  corner.outline_mm = {{0, 0}, {300, 0}, {300, 120}, {130, 120}, {130, 300}, {0, 300}};
+  corner.impacts[0].at_mm = {60, 60};
+  glass::Pane tall = pane_with(24);
+  tall.name = "corner_pane";
+  tall.thickness_mm = 6.0;
+  tall.outline_mm = {{-600, -1000}, {600, -1000}, {600, 1000}, {-600, 1000}};
+  tall.impacts[0].at_mm = {0, 0};
+  glass::Pane whole = pane_with(1);
+  whole.name = "1st";
+  whole.impacts.clear();
+  expect_renders("shapes", model_with({corner, tall, whole}));
+}
+
+}  // namespace
+}  // namespace shatterpave::exporting::povray

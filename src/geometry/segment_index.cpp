@@ -1,8 +1,5 @@
 #include "geometry/segment_index.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/error.h"
 
 namespace shatterpave::geometry {
@@ -29,55 +26,20 @@ const SegmentIndex::Cell* SegmentIndex::cell(std::int64_t column, std::int64_t r
   return found == cells_.end() ? nullptr : &found->second;
 }
 
-// Calls visit(column, row) for every cell that the segment may touch: row by row, the columns of the part of the segment
-// within the row, widened by one lattice unit against the rounding of the division.
-template <typename Visit>
-void SegmentIndex::visit_cells(const Segment& segment, Visit visit) const {
-  const bool upwards = segment.a.y <= segment.b.y;
-  const LatticePoint low = upwards ? segment.a : segment.b;
-  const LatticePoint high = upwards ? segment.b : segment.a;
-  const auto x_at = [&](std::int64_t y) -> std::int64_t {
-    if (high.y == low.y) return low.x;
-    const double share = static_cast<double>(y - low.y) / static_cast<double>(high.y - low.y);
-    return low.x + std::llround(share * static_cast<double>(high.x - low.x));
-  };
-  const std::int64_t last_row = cell_of(high.y);
-  for (std::int64_t row = cell_of(low.y); row <= last_row; ++row) {
-    const std::int64_t x0 = row * cell_size_ <= low.y ? low.x : x_at(row * cell_size_);
-    const std::int64_t x1 = (row + 1) * cell_size_ >= high.y ? high.x : x_at((row + 1) * cell_size_);
-    const std::int64_t last_column = cell_of(std::max(x0, x1) + 1);
-    for (std::int64_t column = cell_of(std::min(x0, x1) - 1); column <= last_column; ++column) visit(column, row);
-  }
-}
-
 int SegmentIndex::add(const Segment& segment) {
   const int number = static_cast<int>(segments_.size());
   segments_.push_back(segment);
-  visit_cells(segment, [&](std::int64_t column, std::int64_t row) { cells_[key(column, row)].push_back(number); });
+  visit_cells(segment.a, segment.b, [&](std::int64_t column, std::int64_t row) { cells_[key(column, row)].push_back(number); });
   return number;
 }
 
 void SegmentIndex::remove(int number) {
-  visit_cells(segment(number), [&](std::int64_t column, std::int64_t row) { std::erase(cells_[key(column, row)], number); });
+  const Segment& gone = segment(number);
+  visit_cells(gone.a, gone.b, [&](std::int64_t column, std::int64_t row) { std::erase(cells_[key(column, row)], number); });
 }
 
 void SegmentIndex::add_all(const SegmentIndex& other) {
   for (const Segment& segment : other.segments_) add(segment);
-}
-
-std::vector<int> SegmentIndex::near(LatticePoint p, LatticePoint q) const {
-  std::vector<int> found;
-  const std::int64_t last_row = cell_of(std::max(p.y, q.y));
-  const std::int64_t last_column = cell_of(std::max(p.x, q.x));
-  for (std::int64_t row = cell_of(std::min(p.y, q.y)); row <= last_row; ++row) {
-    for (std::int64_t column = cell_of(std::min(p.x, q.x)); column <= last_column; ++column) {
-      if (const Cell* here = cell(column, row)) found.insert(found.end(), here->begin(), here->end());
-    }
-  }
-  std::ranges::sort(found);
-  const auto rest = std::ranges::unique(found);
-  found.erase(rest.begin(), rest.end());
-  return found;
 }
 
 void SegmentIndex::improve(const Sector& sector, int owner, const Cell& cell, std::optional<Nearest>& best) const {

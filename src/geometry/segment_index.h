@@ -1,6 +1,8 @@
 // Segments found by place: a uniform grid, so that a question costs what lies near, however many segments there are elsewhere.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -31,8 +33,14 @@ class SegmentIndex {
   void add_all(const SegmentIndex& other);
   const Segment& segment(int number) const { return segments_[static_cast<std::size_t>(number)]; }
 
-  // The numbers, ascending, of the segments that may have a point in the box about `p` and `q`: all that have, and some more.
-  std::vector<int> near(LatticePoint p, LatticePoint q) const;
+  // Calls visit(number) for every segment that may have a point in common with the one from `p` to `q`: for all that have, for
+  // some that only come near, and for some more than once, in an order that depends on the calls of `add` and `remove` only.
+  template <typename Visit>
+  void visit_near(LatticePoint p, LatticePoint q, Visit visit) const {
+    visit_cells(p, q, [&](std::int64_t column, std::int64_t row) {
+      if (const Cell* here = cell(column, row)) std::for_each(here->begin(), here->end(), visit);
+    });
+  }
 
   struct Nearest {
     int number = 0;
@@ -48,8 +56,26 @@ class SegmentIndex {
 
   std::int64_t cell_of(std::int64_t coordinate) const;
   const Cell* cell(std::int64_t column, std::int64_t row) const;
+  // Calls visit(column, row) for every cell that the segment may touch: row by row, the columns of the part of the segment
+  // within the row, widened by one lattice unit against the rounding of the division.
   template <typename Visit>
-  void visit_cells(const Segment& segment, Visit visit) const;
+  void visit_cells(LatticePoint a, LatticePoint b, Visit visit) const {
+    const LatticePoint low = a.y <= b.y ? a : b;
+    const LatticePoint high = a.y <= b.y ? b : a;
+    const auto x_at = [&](std::int64_t y) -> std::int64_t {
+      if (y <= low.y) return low.x;
+      if (y >= high.y) return high.x;
+      const double share = static_cast<double>(y - low.y) / static_cast<double>(high.y - low.y);
+      return low.x + std::llround(share * static_cast<double>(high.x - low.x));
+    };
+    const std::int64_t last_row = cell_of(high.y);
+    for (std::int64_t row = cell_of(low.y); row <= last_row; ++row) {
+      const std::int64_t x0 = x_at(row * cell_size_);
+      const std::int64_t x1 = x_at((row + 1) * cell_size_);
+      const std::int64_t last_column = cell_of(std::max(x0, x1) + 1);
+      for (std::int64_t column = cell_of(std::min(x0, x1) - 1); column <= last_column; ++column) visit(column, row);
+    }
+  }
   void improve(const Sector& sector, int owner, const Cell& cell, std::optional<Nearest>& best) const;
 
   std::int64_t cell_size_;  // lattice units

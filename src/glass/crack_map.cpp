@@ -28,10 +28,17 @@ bool overlap(LatticePoint shared, LatticePoint p, LatticePoint q) {
   return same_way(shared.x, p.x, q.x) || same_way(shared.y, p.y, q.y);
 }
 
+// Whether the box about `p` and `q` and that about the segment have a point in common: cheap, and mostly they have none.
+bool boxes_meet(LatticePoint p, LatticePoint q, const Segment& segment) {
+  return std::max(p.x, q.x) >= std::min(segment.a.x, segment.b.x) && std::min(p.x, q.x) <= std::max(segment.a.x, segment.b.x) &&
+         std::max(p.y, q.y) >= std::min(segment.a.y, segment.b.y) && std::min(p.y, q.y) <= std::max(segment.a.y, segment.b.y);
+}
+
 // Whether a crack that goes on from `from`, straight to `to`, runs into the segment. A common point in `from` is none.
 bool runs_into(LatticePoint from, LatticePoint to, const Segment& segment) {
   if (segment.a == from) return overlap(from, to, segment.b);
   if (segment.b == from) return overlap(from, to, segment.a);
+  if (!boxes_meet(from, to, segment)) return false;
   return geometry::segments_meet(from, to, segment.a, segment.b);
 }
 
@@ -72,6 +79,13 @@ double distance_to_line(LatticePoint p, const Segment& segment) {
   return std::abs(cross(geometry::to_mm(p) - geometry::to_mm(segment.a), along)) / glm::length(along);
 }
 
+std::vector<int> distinct(std::vector<int> numbers) {
+  std::ranges::sort(numbers);
+  const auto rest = std::ranges::unique(numbers);
+  numbers.erase(rest.begin(), rest.end());
+  return numbers;
+}
+
 // The places to try for a meeting at `ideal`, in lattice units, with `met`: the best first.
 std::array<LatticePoint, 11> candidate_joints(vec2 ideal, const Segment& met) {
   const LatticePoint centre{std::llround(ideal.x), std::llround(ideal.y)};
@@ -108,9 +122,13 @@ CrackMap::Hub CrackMap::add_hub(LatticePoint at) {
   const int node = graph_.add();
   crack_of_node_.push_back(-1);
   hubs_.push_back({at, node});
-  for (const int number : index_.near(at, at)) {
+  std::vector<int> through;
+  index_.visit_near(at, at, [&](int number) {
+    const Segment& segment = index_.segment(number);
+    if (segment.owner != edge_owner && geometry::on_segment(segment.a, segment.b, at)) through.push_back(number);
+  });
+  for (const int number : distinct(std::move(through))) {
     const Segment segment = index_.segment(number);
-    if (segment.owner == edge_owner || !geometry::on_segment(segment.a, segment.b, at)) continue;
     if (at != segment.a && at != segment.b) insert_vertex(number, at);
     graph_.connect(node, record(segment.owner).node, at);
   }
@@ -118,17 +136,22 @@ CrackMap::Hub CrackMap::add_hub(LatticePoint at) {
 }
 
 bool CrackMap::is_taken(LatticePoint at) const {
-  return std::ranges::any_of(index_.near(at, at), [&](int number) {
-    return geometry::on_segment(index_.segment(number).a, index_.segment(number).b, at);
+  bool taken = false;
+  index_.visit_near(at, at, [&](int number) {
+    const Segment& segment = index_.segment(number);
+    taken = taken || geometry::on_segment(segment.a, segment.b, at);
   });
+  return taken;
 }
 
 bool CrackMap::is_barred(LatticePoint from, LatticePoint to, int impact) const {
-  return std::ranges::any_of(index_.near(from, to), [&](int number) {
+  bool barred = false;
+  index_.visit_near(from, to, [&](int number) {
     const Segment& segment = index_.segment(number);
     const bool bars = segment.owner == edge_owner || record(segment.owner).impact < impact;
-    return bars && runs_into(from, to, segment);
+    barred = barred || (bars && runs_into(from, to, segment));
   });
+  return barred;
 }
 
 int CrackMap::start(Hub hub, CrackKind kind, int impact, CrackEnd::At start) {
@@ -148,10 +171,13 @@ int CrackMap::start(Hub hub, CrackKind kind, int impact, CrackEnd::At start) {
 
 // What is in the way, in the order in which it is met.
 std::vector<CrackMap::Hit> CrackMap::hits(LatticePoint from, LatticePoint to) const {
+  std::vector<int> met;
+  index_.visit_near(from, to, [&](int number) {
+    if (runs_into(from, to, index_.segment(number))) met.push_back(number);
+  });
   std::vector<Hit> found;
-  for (const int number : index_.near(from, to)) {
+  for (const int number : distinct(std::move(met))) {
     const Segment& segment = index_.segment(number);
-    if (!runs_into(from, to, segment)) continue;
     const bool at_once = segment.a == from || segment.b == from;
     found.push_back({number, at_once ? 0.0 : share_of_way(from, to, segment)});
   }
@@ -162,11 +188,13 @@ std::vector<CrackMap::Hit> CrackMap::hits(LatticePoint from, LatticePoint to) co
 
 // Whether a piece of a crack can lie from `from` to `to`, among all segments but `except`.
 bool CrackMap::is_free(LatticePoint from, LatticePoint to, int except) const {
-  return std::ranges::all_of(index_.near(from, to), [&](int number) {
-    if (number == except) return true;
+  bool free = true;
+  index_.visit_near(from, to, [&](int number) {
+    if (!free || number == except) return;
     const Segment& segment = index_.segment(number);
-    return is_edge(number) ? within(from, to, segment) : apart(from, to, segment);
+    free = segment.owner == edge_owner ? within(from, to, segment) : apart(from, to, segment);
   });
+  return free;
 }
 
 // Whether a crack whose last vertex is `from` can end at `joint` on the segment `met`, which is led through it.
@@ -182,13 +210,12 @@ bool CrackMap::can_join(LatticePoint from, LatticePoint joint, int met) const {
   return is_free(segment.a, joint, met) && is_free(joint, segment.b, met);
 }
 
-std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to, bool keep) {
+std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to) {
   ENSURE(record(crack).growing);
   const LatticePoint from = record(crack).points.back();
   if (from == to) return std::nullopt;
   const std::vector<Hit> in_the_way = hits(from, to);
   if (in_the_way.empty()) {
-    if (!keep) return std::nullopt;
     record(crack).points.push_back(to);
     record(crack).segments.push_back(index_.add({from, to, crack}));
     return std::nullopt;

@@ -40,10 +40,10 @@ class CrackMap {
   // A new crack that starts at the hub. Cracks are numbered from 0.
   int start(Hub hub, CrackKind kind, int impact, CrackEnd::At start);
 
-  // Lets a growing crack go straight on to `to`. If nothing is in the way, adds that vertex if `keep`, and returns nothing;
-  // else ends the crack where it first meets a crack or the edge: on the edge, within 1 µm of it and not outside. A growing
-  // crack whose tip is met ends there as well.
-  std::optional<Arrest> extend(int crack, geometry::LatticePoint to, bool keep);
+  // Lets a growing crack go straight on to `to`. If nothing is in the way, adds that vertex and returns nothing; else ends the
+  // crack where it first meets a crack or the edge: on the edge, within 1 µm of it and not outside. A growing crack whose tip
+  // is met ends there as well.
+  std::optional<Arrest> extend(int crack, geometry::LatticePoint to);
   // Ends a growing crack that has met nothing.
   void stop(int crack, CrackEnd::At at);
 

@@ -2,16 +2,20 @@
 // ring cracks. Then time goes on in steps of dt: every growing tip looks into the sector in front of it, turns by the forces of
 // what it sees there, and goes on, until all large and ring cracks have stopped.
 //
-// Departures from the paper, each by a parameter of Growth whose neutral value is the paper's:
+// Departures from the paper, most by a parameter of Growth:
+// - a tip turns by its length, not by its steps (turn_length);
 // - ring cracks start when the large cracks are out of their way (ring_onset);
 // - a pull along its circle keeps a ring crack on it (ring_pull), where the paper states the rule without a formula;
+// - a weak pull keeps radials on their way out, however large the pane is (radial_pull);
 // - F2 between radials of one impact has a gain of its own (sibling_gain).
+// - the second stop rule spares ring cracks: stopped in the middle of a region they would float in the glass, touching nothing.
 // In F1 only the nearest tips count (nearest_tips), in F2 only the nearest crack: with the square of the distance in the
 // denominator the rest hardly shows, and where radials crowd about the impact all pairs would be too many.
 #include "glass/growth.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 #include "geometry/point_index.h"
@@ -31,9 +35,9 @@ using geometry::SegmentIndex;
 // Tips that F1 looks at. By eye: beyond four nothing changes in a picture; eight is on the safe side.
 constexpr std::size_t nearest_tips = 8;
 
-// Radials start straight for as long as neighbours are nearer than this, so that rounding to the lattice cannot swap them. At
-// M = 10,000 that is the first 8 mm, at M = 100 the first 0.08 mm.
-constexpr double least_spacing_mm = 5.0 / geometry::lattice_per_mm;
+// Radials start straight for as long as neighbours are nearer than this: half the thinnest crack that a picture can show, and
+// so many units of the lattice that rounding swaps no two of them. At M = 100 that is the first 0.8 mm, at M = 10,000 80 mm.
+constexpr double least_spacing_mm = 0.05;
 
 // Shorter steps are gathered into one piece of a polyline.
 constexpr double least_piece_mm = 0.02;
@@ -87,8 +91,10 @@ class PaneGrowth {
   void step(ImpactState& state);
   void steer(Tip& tip, std::span<const vec2> tips_mm, const geometry::PointIndex& places) const;
   Sight sight(const Tip& tip, const Sector& sector, std::span<const vec2> tips_mm, const geometry::PointIndex& places) const;
-  void advance(Tip& tip, ImpactState& state);
-  void enclose(const std::vector<LatticePoint>& border, const ImpactState& state);
+  void advance(Tip& tip, const ImpactState& state);
+  void extend(const Tip& tip, const ImpactState& state);
+  geometry::Polygon piece(const Tip& tip);
+  std::vector<const Tip*> growing_within(const geometry::Polygon& region, const ImpactState& state) const;
   void settle(const ImpactState& state);
 
   const Pane& pane_;
@@ -175,7 +181,7 @@ void PaneGrowth::start_radials(ImpactState& state) {
 
 // The ring cracks whose time has come.
 void PaneGrowth::start_rings(ImpactState& state) {
-  double hindmost_mm = longest_mm_;
+  double hindmost_mm = std::numeric_limits<double>::infinity();
   for (const Tip& tip : state.tips) {
     if (tip.kind == CrackKind::large) hindmost_mm = std::min(hindmost_mm, glm::length(tip.at_mm - state.at_mm));
   }
@@ -242,52 +248,76 @@ Sight PaneGrowth::sight(const Tip& tip, const Sector& sector, std::span<const ve
   if (tip.kind == CrackKind::circular) {
     const std::optional<Wall> radial = wall(siblings_, tip.crack);
     if (radial && (!seen.crack || radial->distance_mm < seen.crack->distance_mm)) seen.crack = radial;
-  } else if (growth_.sibling_gain > 0.0) {
+  } else if (growth_.sibling_gain != 0.0) {
     seen.sibling = wall(siblings_, tip.crack);
   }
   return seen;
 }
 
-// Eq. 12 to 16. F3 wanders by the length of a step, so that neither dt nor the speed changes how crooked a crack is per length.
+// Eq. 12 to 16. To follow its circle is no turn for a ring crack: it bends with it whatever its age.
 void PaneGrowth::steer(Tip& tip, std::span<const vec2> tips_mm, const geometry::PointIndex& places) const {
+  const double way_mm = tip.speed_mm * growth_.time_step;
+  if (tip.ring) tip.heading = bent_along(*tip.ring, tip.heading, way_mm);
   const Sector sector(tip.at_mm, tip.heading, growth_.sector_angle, growth_.sector_radius * px_mm);
-  const double step_px = tip.speed_mm * growth_.time_step / px_mm;
-  const Angle stray = growth_.wander * (std::sqrt(step_px / 10.0) * normal(seed_, {Stream::turn, tip.id, tip.steps}));
-  vec2 force = force_of(sight(tip, sector, tips_mm, places), growth_) + rotated(tip.heading, stray);
-  if (tip.ring) force += growth_.ring_pull * direction_along(*tip.ring, tip.at_mm);
-  tip.heading = glm::normalize(rotated(tip.heading, turn(force, tip.heading, tip.age, growth_)));
+  const double deviate = normal(seed_, {Stream::turn, tip.id, tip.steps});
+  const vec2 drive = tip.ring ? growth_.ring_pull * direction_along(*tip.ring, tip.at_mm)
+                              : growth_.radial_pull * glm::normalize(tip.at_mm - tip.start_mm);
+  const vec2 force = force_of(sight(tip, sector, tips_mm, places), growth_) +
+                     wandering_force(tip.heading, deviate, way_mm / px_mm, growth_) + drive;
+  tip.heading = glm::normalize(rotated(tip.heading, turn(force, tip.heading, tip.age, way_mm / px_mm, growth_)));
 }
 
 // Eq. 17, and the stop rules of §4.2.3.
-void PaneGrowth::advance(Tip& tip, ImpactState& state) {
+void PaneGrowth::advance(Tip& tip, const ImpactState& state) {
   const double way_mm = tip.speed_mm * growth_.time_step;
   tip.at_mm += way_mm * tip.heading;
   tip.length_mm += way_mm;
   tip.age += growth_.time_step;
   ++tip.steps;
-  const LatticePoint from = map_.tip(tip.crack);
-  const LatticePoint to = geometry::to_lattice(tip.at_mm);
-  const bool keep = glm::length(tip.at_mm - geometry::to_mm(from)) >= least_piece_mm &&
-                    glm::length(tip.at_mm - tip.start_mm) >= tip.straight_mm;
-  const std::optional<Arrest> arrest = map_.extend(tip.crack, to, keep);
-  if (keep && map_.tip(tip.crack) != from) {
-    SegmentIndex& index = tip.kind == CrackKind::circular ? cracks_ : siblings_;
-    index.add({from, map_.tip(tip.crack), tip.crack});
-  }
-  if (arrest && !arrest->closed_region.empty()) enclose(arrest->closed_region, state);
-  if (!arrest && tip.length_mm > longest_mm_) map_.stop(tip.crack, CrackEnd::At::open);
+  const bool is_piece = glm::length(tip.at_mm - geometry::to_mm(map_.tip(tip.crack))) >= least_piece_mm;
+  if (is_piece && glm::length(tip.at_mm - tip.start_mm) >= tip.straight_mm) extend(tip, state);
+  if (tip.length_mm > longest_mm_ && map_.is_growing(tip.crack)) map_.stop(tip.crack, CrackEnd::At::open);
 }
 
-// §4.2.3 (2): every tip inside the region stops.
-void PaneGrowth::enclose(const std::vector<LatticePoint>& border, const ImpactState& state) {
-  geometry::Polygon region(border.size());
-  std::ranges::transform(border, region.begin(), [](LatticePoint p) { return geometry::to_mm(p); });
+// Leads the crack to where its tip is by now, if nothing is in the way. Where that closes a region, every tip inside it stops
+// (§4.2.3 (2)).
+void PaneGrowth::extend(const Tip& tip, const ImpactState& state) {
+  std::vector<geometry::Polygon> regions = {piece(tip)};  // an empty one has no inside
+  while (!regions.empty()) {
+    const geometry::Polygon region = std::move(regions.back());
+    regions.pop_back();
+    for (const Tip* inside : growing_within(region, state)) {
+      if (!map_.is_growing(inside->crack)) continue;  // met by one of the others
+      // What the tip has gone since its last vertex still belongs to it, and may close another region.
+      geometry::Polygon next = piece(*inside);
+      if (!next.empty()) regions.push_back(std::move(next));
+      if (map_.is_growing(inside->crack)) map_.stop(inside->crack, CrackEnd::At::enclosed);
+    }
+  }
+}
+
+// Adds the way from the last vertex of the crack to its tip. Returns the region that this closed; empty if none.
+geometry::Polygon PaneGrowth::piece(const Tip& tip) {
+  const LatticePoint from = map_.tip(tip.crack);
+  const std::optional<Arrest> arrest = map_.extend(tip.crack, geometry::to_lattice(tip.at_mm));
+  const LatticePoint to = map_.tip(tip.crack);
+  if (to != from) (tip.kind == CrackKind::circular ? cracks_ : siblings_).add({from, to, tip.crack});
+  if (!arrest) return {};
+  geometry::Polygon region(arrest->closed_region.size());
+  std::ranges::transform(arrest->closed_region, region.begin(), [](LatticePoint p) { return geometry::to_mm(p); });
+  return region;
+}
+
+std::vector<const Tip*> PaneGrowth::growing_within(const geometry::Polygon& region, const ImpactState& state) const {
+  if (region.empty()) return {};
   const geometry::Box box = geometry::bounding_box(region);
+  std::vector<const Tip*> found;
   for (const Tip& tip : state.tips) {
     const bool near = glm::all(glm::greaterThan(tip.at_mm, box.low)) && glm::all(glm::lessThan(tip.at_mm, box.high));
-    if (near && map_.is_growing(tip.crack) && geometry::contains(region, tip.at_mm))
-      map_.stop(tip.crack, CrackEnd::At::enclosed);
+    if (near && tip.kind != CrackKind::circular && map_.is_growing(tip.crack) && geometry::contains(region, tip.at_mm))
+      found.push_back(&tip);
   }
+  return found;
 }
 
 void PaneGrowth::step(ImpactState& state) {
@@ -308,7 +338,10 @@ void PaneGrowth::step(ImpactState& state) {
 
 // Ends what still grows, and makes the cracks of this impact obstacles for the next.
 void PaneGrowth::settle(const ImpactState& state) {
-  for (const Tip& tip : state.tips) map_.stop(tip.crack, CrackEnd::At::open);
+  for (const Tip& tip : state.tips) {
+    if (map_.is_growing(tip.crack)) extend(tip, state);
+    if (map_.is_growing(tip.crack)) map_.stop(tip.crack, CrackEnd::At::open);
+  }
   cracks_.add_all(siblings_);
   siblings_ = SegmentIndex(wide_cell(growth_));
 }

@@ -35,6 +35,9 @@ struct Growth {
   double time_step = 0.25;  // dt (eq. 16, 17). The paper steps by 1, so that a large crack sees the edge for one step
                             // only before it is there; a quarter lets it come round to a right angle (rule 8)
 
+  double turn_length = 10.0;  // px of growth for which eq. 15 turns a tip once. In the paper that is a step, 10 px for
+                              // slow cracks and 40 for large ones; so curves depend on neither dt nor the speed
+
   // Counts (eq. 3, 5, 6).
   double reference_radial_count = 95.7;  // M_ave where a scene gives none: mean of Table 1, for the ball and speed of §3.1.1
   double energy_exponent = 0.25;     // M_ave goes with this power of the ball's energy: 1/4 is the square root of the speed of
@@ -55,11 +58,13 @@ struct Growth {
   double crack_gain = 60.0;            // F2, cracks: more makes tips turn earlier towards a crack they are about to meet
   double sibling_gain = 0.0;           // F2 between radials of one impact. With the gain of other cracks the slow radials bend
                                        // onto their neighbours and bundle, which real panes do not show
-  double edge_gain = 1500.0;           // F2, edge of the pane: more makes cracks meet it more squarely, from farther off
+  double edge_gain = 350.0;            // F2, edge of the pane: more makes cracks meet it more squarely, from farther off
   Angle wander = Angle::degrees(9.0);  // F3: standard deviation of its direction over 10 px of growth, the step by which the
                                        // paper measures turns; more makes cracks more crooked
-  double ring_pull = 1.0;              // rule 5: pull along the circle of a ring crack; 0 lets it go straight on
-  double ring_onset = 2.0;             // a ring crack starts once every large crack of its impact has stopped, or is this
+  double radial_pull = 0.15;           // pull of radials away from their impact, in units of F3. The wander of F3 alone
+                                       // forgets its direction within about a metre, and cracks of large panes would curl
+  double ring_pull = 1.0;              // rule 5: pull back to the circle of a ring crack; more makes rings rounder
+  double ring_onset = 1.25;            // a ring crack starts once every large crack of its impact has stopped, or is this
                                        // many ring radii out. At 0 rings cut off about half of the large cracks. In real panes
                                        // radials run first, and rings follow as the freed strips bend
 

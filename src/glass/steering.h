@@ -44,7 +44,14 @@ vec2 direction_along(const Ring& ring, vec2 at_mm);
 // weight of eq. 19, of a crack that started `age` ago.
 double weight(double age, const Growth& growth);
 
-// The angle by which a tip turns in a step (eq. 12 to 15, 18).
-Angle turn(vec2 force, vec2 heading, double age, const Growth& growth);
+// The angle by which a tip turns in a step of `step_px` (eq. 12 to 15, 18), for its share of turn_length.
+Angle turn(vec2 force, vec2 heading, double age, double step_px, const Growth& growth);
+
+// F3 of such a step, of magnitude 1: about the heading, its direction off by `deviate`, a standard normal number, times what
+// makes the turns over turn_length have the standard deviation `wander`.
+vec2 wandering_force(vec2 heading, double deviate, double step_px, const Growth& growth);
+
+// The heading of a ring crack after `way_mm` along its circle.
+vec2 bent_along(const Ring& ring, vec2 heading, double way_mm);
 
 }  // namespace shatterpave::glass

@@ -13,6 +13,8 @@
 // denominator the rest hardly shows, and where radials crowd about the impact all pairs would be too many.
 #include "glass/growth.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -75,6 +77,10 @@ struct ImpactState {
   std::vector<RingStart> waiting;
   std::vector<Tip> tips;  // that grow
 };
+
+// Where large or ring cracks would need more steps than this to cross the pane once, the scene is refused. At the paper's
+// speeds and dt = 0.25 that is a pane of more than 3 km.
+constexpr double most_steps_across = 1e6;
 
 class PaneGrowth {
  public:
@@ -353,9 +359,36 @@ void PaneGrowth::strike(int impact) {
   settle(state);
 }
 
+bool strictly_inside(const geometry::Polygon& outline, vec2 point) {
+  const LatticePoint p = geometry::to_lattice(point);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const vec2 next = outline[(i + 1) % outline.size()];
+    if (geometry::on_segment(geometry::to_lattice(outline[i]), geometry::to_lattice(next), p)) return false;
+  }
+  return geometry::contains(outline, point);
+}
+
+void check(const Pane& pane) {
+  const Growth& growth = pane.growth;
+  const double slowest_px = std::min(growth.large_speed, growth.circular_speed) * (1.0 - growth.spread_limit);
+  const double step_mm = slowest_px * growth.time_step * px_mm;
+  if (!(diagonal(pane.outline_mm) <= most_steps_across * step_mm)) {
+    throw InputError(Place{"", 0, 0, pane.name + ".growth"},
+                     "expected cracks that cross the pane in at most 1,000,000 steps: speed or time step "
+                     "is too small for its size");
+  }
+  for (std::size_t i = 0; i < pane.impacts.size(); ++i) {
+    const vec2 at = pane.impacts[i].at_mm;
+    if (strictly_inside(pane.outline_mm, at)) continue;
+    throw InputError(Place{"", 0, 0, fmt::format("{}.impact[{}].at_mm", pane.name, i)},
+                     fmt::format("expected a point inside the outline, got ({}, {})", at.x, at.y));
+  }
+}
+
 }  // namespace
 
 CrackNetwork grown_cracks(const Pane& pane, std::uint64_t seed) {
+  check(pane);
   PaneGrowth growth(pane, seed);
   for (int i = 0; i < static_cast<int>(pane.impacts.size()); ++i) growth.strike(i);
   return growth.network();

@@ -63,7 +63,7 @@ struct Growth {
                                        // paper measures turns; more makes cracks more crooked
   double radial_pull = 0.15;           // pull of radials away from their impact, in units of F3. The wander of F3 alone
                                        // forgets its direction within about a metre, and cracks of large panes would curl
-  double ring_pull = 1.0;              // rule 5: pull back to the circle of a ring crack; more makes rings rounder
+  double ring_pull = 0.6;              // rule 5: pull back to the circle of a ring crack; more makes rings rounder
   double ring_onset = 1.25;            // a ring crack starts once every large crack of its impact has stopped, or is this
                                        // many ring radii out. At 0 rings cut off about half of the large cracks. In real panes
                                        // radials run first, and rings follow as the freed strips bend

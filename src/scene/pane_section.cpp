@@ -52,6 +52,8 @@ constexpr std::array growth_numbers = {
     GrowthNumber{"crack_gain_px2", &Growth::crack_gain, {0.0, 1e6}},
     GrowthNumber{"sibling_gain_px2", &Growth::sibling_gain, {0.0, 1e6}},
     GrowthNumber{"edge_gain_px2", &Growth::edge_gain, {0.0, 1e6}},
+    GrowthNumber{"turn_length_px", &Growth::turn_length, {0.1, 1000.0}},
+    GrowthNumber{"radial_pull", &Growth::radial_pull, {0.0, 1000.0}},
     GrowthNumber{"ring_pull", &Growth::ring_pull, {0.0, 1000.0}},
     GrowthNumber{"ring_onset", &Growth::ring_onset, {0.0, 1000.0}},
 };
@@ -88,6 +90,8 @@ void read_growth(const TomlTable& pane, Growth& growth) {
                                            "sibling_gain_px2",
                                            "edge_gain_px2",
                                            "wander_deg",
+                                           "turn_length_px",
+                                           "radial_pull",
                                            "ring_pull",
                                            "ring_onset"});
   if (!table) return;

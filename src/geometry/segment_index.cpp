@@ -42,6 +42,21 @@ void SegmentIndex::add_all(const SegmentIndex& other) {
   for (const Segment& segment : other.segments_) add(segment);
 }
 
+std::vector<int> SegmentIndex::near(LatticePoint p, LatticePoint q) const {
+  std::vector<int> found;
+  const std::int64_t last_row = cell_of(std::max(p.y, q.y));
+  const std::int64_t last_column = cell_of(std::max(p.x, q.x));
+  for (std::int64_t row = cell_of(std::min(p.y, q.y)); row <= last_row; ++row) {
+    for (std::int64_t column = cell_of(std::min(p.x, q.x)); column <= last_column; ++column) {
+      if (const Cell* here = cell(column, row)) found.insert(found.end(), here->begin(), here->end());
+    }
+  }
+  std::ranges::sort(found);
+  const auto rest = std::ranges::unique(found);
+  found.erase(rest.begin(), rest.end());
+  return found;
+}
+
 void SegmentIndex::improve(const Sector& sector, int owner, const Cell& cell, std::optional<Nearest>& best) const {
   for (const int number : cell) {
     const Segment& candidate = segment(number);

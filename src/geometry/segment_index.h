@@ -42,6 +42,9 @@ class SegmentIndex {
     });
   }
 
+  // The numbers, ascending, of the segments that may have a point in the box about `p` and `q`: all that have, and some more.
+  std::vector<int> near(LatticePoint p, LatticePoint q) const;
+
   struct Nearest {
     int number = 0;
     vec2 point_mm{0.0, 0.0};

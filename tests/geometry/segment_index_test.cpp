@@ -58,6 +58,27 @@ TEST(SegmentIndex, VisitsEverySegmentThatMeetsAnother) {
   EXPECT_GT(meetings, 300 + 100);  // each meets itself
 }
 
+TEST(SegmentIndex, ListsEverySegmentThatReachesIntoABox) {
+  const std::vector<Segment> segments = random_segments(300);
+  SegmentIndex index(3.0);
+  for (const Segment& segment : segments) index.add(segment);
+  for (std::uint32_t draw = 0; draw < 100; ++draw) {
+    const LatticePoint p = to_lattice(point("corner", draw, 40.0));
+    const LatticePoint q = to_lattice(to_mm(p) + point("size", draw, 15.0));
+    const std::vector<int> listed = index.near(p, q);
+    EXPECT_TRUE(std::ranges::is_sorted(listed));
+    for (int n = 0; n < 300; ++n) {
+      const Segment& segment = segments[static_cast<std::size_t>(n)];
+      const auto ends_inside = [&](LatticePoint end) {
+        return std::min(p.x, q.x) <= end.x && end.x <= std::max(p.x, q.x) && std::min(p.y, q.y) <= end.y &&
+               end.y <= std::max(p.y, q.y);
+      };
+      if (!ends_inside(segment.a) && !ends_inside(segment.b) && !segments_meet(segment.a, segment.b, p, q)) continue;
+      EXPECT_TRUE(std::ranges::binary_search(listed, n));
+    }
+  }
+}
+
 TEST(SegmentIndex, ForgetsWhatIsRemoved) {
   SegmentIndex index(1.0);
   const Segment segment{{-5000, -3000}, {7000, 4000}, 0};

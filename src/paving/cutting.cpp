@@ -1,7 +1,8 @@
 // Cells lie on the lattice and share their sides, so they do not overlap; that is exact. Three things then round to the
-// lattice: cutting at the outline, joining (which closes the hairline that cutting left), and taking off the joint. Each
-// moves a side by at most 1 µm; together they stay below `hairline_mm`, by which every stone draws back at the least. So
-// stones stay apart and within the area whatever the joint.
+// lattice: cutting at the outline, joining (which makes the border between two pieces the same for both), and taking off the
+// joint; the joint that meets the straight side of a stone (a T) does so but for rounding. Together these move a side by less
+// than `hairline_mm`, by which every stone draws back at the least. So stones stay apart and within the area whatever the
+// joint.
 #include "paving/cutting.h"
 
 #include <algorithm>
@@ -23,10 +24,11 @@ using geometry::Polygon;
 using geometry::Region;
 using geometry::RegionIndex;
 
-// See above: cutting 0.71 µm, joining three times 0.71 µm, taking off the joint 0.71 µm.
+// Half a diagonal of the lattice, 0.71 µm, each for the T, for cutting and for taking off the joint; twice that
+// for joining: 3.6 µm.
 constexpr double hairline_mm = 0.005;
-// Sides of two pieces that lie on one line are within 0.71 µm of it each.
-constexpr double same_line_mm = 0.003;
+// A border between two pieces that was rounded for each lies twice, so far apart at the most: 1.42 µm, and some room.
+constexpr double same_line_mm = 0.002;
 // A piece with as many corners as its cell that lost less than 1% is whole to the eye; by eye.
 constexpr double whole_share = 0.99;
 // What is left of a cell that ends at the border but for rounding and the bend of a curved border is no piece.
@@ -100,17 +102,71 @@ double shared_length(const Polygon& a, const Polygon& b) {
   return total;
 }
 
-// The two pieces as one: grown until the hairline between them closes, joined, shrunk again.
-std::optional<Polygon> joined(const Polygon& a, const Polygon& b) {
-  std::vector<Polygon> grown;
-  for (const Polygon& part : {a, b}) {
-    for (Region& region : geometry::offset({part, {}}, same_line_mm)) grown.push_back(std::move(region.outline));
+// `a` with its corners that lie beside corners of `b` taken there.
+Polygon snapped(Polygon a, const Polygon& b) {
+  for (vec2& p : a) {
+    const auto near = std::ranges::find_if(b, [&](vec2 q) { return length(q - p) <= same_line_mm; });
+    if (near != b.end()) p = *near;
   }
-  const auto together = geometry::united(grown);
-  if (together.size() != 1 || !together.front().holes.empty()) return std::nullopt;
-  const auto shrunk = geometry::offset(together.front(), -same_line_mm);
-  if (shrunk.size() != 1 || !shrunk.front().holes.empty()) return std::nullopt;
-  return shrunk.front().outline;
+  return a;
+}
+
+// `a` with the corners of `b` that lie on its sides as corners of its own.
+Polygon refined(const Polygon& a, const Polygon& b) {
+  Polygon result;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const vec2 d = a[(i + 1) % a.size()] - a[i];
+    const double along = length(d);
+    result.push_back(a[i]);
+    if (along == 0.0) continue;
+    std::vector<std::pair<double, vec2>> on_side;
+    for (const vec2& q : b) {
+      const double t = glm::dot(q - a[i], d) / along;
+      const bool on = t > same_line_mm && t < along - same_line_mm && std::abs(cross(d, q - a[i])) <= same_line_mm * along;
+      if (on) on_side.emplace_back(t, q);
+    }
+    std::ranges::sort(on_side, {}, &std::pair<double, vec2>::first);
+    for (const auto& corner : on_side) result.push_back(corner.second);
+  }
+  return result;
+}
+
+// The sides of two polygons without those that both have, which run against each other.
+std::vector<std::pair<vec2, vec2>> outer_sides(const Polygon& a, const Polygon& b) {
+  std::vector<std::pair<vec2, vec2>> sides;
+  for (const Polygon* polygon : {&a, &b}) {
+    for (std::size_t i = 0; i < polygon->size(); ++i) {
+      const std::pair side{(*polygon)[i], (*polygon)[(i + 1) % polygon->size()]};
+      const auto opposite = std::ranges::find(sides, std::pair{side.second, side.first});
+      if (opposite == sides.end()) {
+        sides.push_back(side);
+      } else {
+        sides.erase(opposite);
+      }
+    }
+  }
+  return sides;
+}
+
+// The two pieces as one. Where they were cut, the border between them was rounded for each of them; it is made the same for
+// both, and taken out. Nothing if they do not make one simple polygon.
+std::optional<Polygon> joined(const Polygon& a, const Polygon& b) {
+  const Polygon moved = snapped(a, b);
+  const Polygon other = refined(b, moved);
+  auto sides = outer_sides(refined(moved, other), other);
+  if (sides.empty()) return std::nullopt;
+  Polygon together;
+  vec2 at = sides.front().first;
+  while (!sides.empty()) {
+    const auto next = std::ranges::find(sides, at, &std::pair<vec2, vec2>::first);
+    if (next == sides.end()) return std::nullopt;
+    together.push_back(at);
+    at = next->second;
+    sides.erase(next);
+  }
+  together = geometry::cleaned(together);
+  if (!geometry::is_simple(together) || geometry::area(together) <= 0.0) return std::nullopt;
+  return together;
 }
 
 // Joins small pieces to neighbours, smallest first.

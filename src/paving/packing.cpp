@@ -116,10 +116,10 @@ class Packing {
     bool along = true;  // it runs along the rows, so it acts across them
   };
 
-  vec2 between(std::size_t i, std::size_t j) const {
-    return mean_frame(particles_[i].axis, particles_[j].axis, field_.is_cross(), pitch_)
-        .into(particles_[j].at - particles_[i].at);
+  Frame frame_between(std::size_t i, std::size_t j) const {
+    return mean_frame(particles_[i].axis, particles_[j].axis, field_.is_cross(), pitch_);
   }
+  vec2 between(std::size_t i, std::size_t j) const { return frame_between(i, j).into(particles_[j].at - particles_[i].at); }
 
   NearIndex index() const {
     NearIndex near(listed * std::max(pitch_.x, pitch_.y), particles_.size());
@@ -131,6 +131,7 @@ class Packing {
     const NearIndex near = index();
     first_.assign(particles_.size() + 1, 0);
     listed_.clear();
+    axes_.clear();
     std::vector<std::uint32_t> found;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
       found.clear();
@@ -140,6 +141,7 @@ class Packing {
       std::ranges::sort(found);
       found.erase(std::unique(found.begin(), found.end()), found.end());
       listed_.insert(listed_.end(), found.begin(), found.end());
+      for (const std::uint32_t j : found) axes_.push_back(frame_between(i, j).axis);
       first_[i + 1] = listed_.size();
     }
   }
@@ -177,9 +179,8 @@ class Packing {
     const Frame own{particles_[i].axis, pitch_};
     vec2 sum{0.0, 0.0};
     for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
-      const Particle& other = particles_[listed_[k]];
-      const Frame frame = mean_frame(particles_[i].axis, other.axis, field_.is_cross(), pitch_);
-      sum += frame.out_of(force_at(frame.into(particles_[i].at - other.at)));
+      const Frame frame{axes_[k], pitch_};
+      sum += frame.out_of(force_at(frame.into(particles_[i].at - particles_[listed_[k]].at)));
     }
     for (const Wall& wall : walls_[i]) {
       if (wall.normal == vec2{0.0, 0.0}) continue;
@@ -241,6 +242,7 @@ class Packing {
   const DirectionField& field_;
   std::vector<std::size_t> first_;  // neighbours of particle i are listed_[first_[i] … first_[i + 1])
   std::vector<std::uint32_t> listed_;
+  std::vector<vec2> axes_;  // of the frame between a particle and its neighbour, beside listed_
   std::vector<std::array<Wall, 2>> walls_;
 };
 

@@ -33,7 +33,14 @@ constexpr double held_pitches = 1.0;
 constexpr double along_sine = 0.2079;
 
 double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
-vec2 rounded(vec2 q) { return {std::round(q.x), std::round(q.y)}; }
+
+// The nearest whole number, halves to even, for |x| < 2^51: adding 1.5 · 2^52 leaves no room for a fraction. It is where most
+// of the time would go if it were a call.
+double rounded(double x) {
+  constexpr double no_fractions = 6755399441055744.0;
+  return (x + no_fractions) - no_fractions;
+}
+vec2 rounded(vec2 q) { return {rounded(q.x), rounded(q.y)}; }
 
 // A border that a sample is held to: a point of it and its unit normal, along the sample's axis or across it.
 struct Wall {
@@ -227,17 +234,6 @@ std::vector<Vote> gathered(const std::vector<Sample>& samples, vec2 pitch) {
 }
 
 }  // namespace
-
-vec2 turned_like(vec2 axis, vec2 like, bool is_cross) {
-  const vec2 side = left_of(axis);
-  if (is_cross && std::abs(glm::dot(side, like)) > std::abs(glm::dot(axis, like))) axis = side;
-  return glm::dot(axis, like) < 0.0 ? -axis : axis;
-}
-
-Frame mean_frame(vec2 a, vec2 b, bool is_cross, vec2 pitch) {
-  const vec2 sum = a + turned_like(b, a, is_cross);
-  return {sum / length(sum), pitch};
-}
 
 std::vector<Particle> straight_rows(const geometry::RegionIndex& area, vec2 along, vec2 pitch, double band_mm) {
   const vec2 across = left_of(along);

@@ -1,6 +1,7 @@
 // Where a packing starts: particles that already stand in rows and columns along the direction field.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -18,9 +19,18 @@ struct Frame {
 };
 
 // `axis`, turned by quarter or half turns (those of the field's symmetry) to be like `like`.
-vec2 turned_like(vec2 axis, vec2 like, bool is_cross);
+inline vec2 turned_like(vec2 axis, vec2 like, bool is_cross) {
+  const double along = glm::dot(axis, like);
+  const double across = cross(axis, like);
+  if (is_cross && std::abs(across) > std::abs(along)) return across > 0.0 ? left_of(axis) : -left_of(axis);
+  return along < 0.0 ? -axis : axis;
+}
+
 // The frame between two places.
-Frame mean_frame(vec2 a, vec2 b, bool is_cross, vec2 pitch);
+inline Frame mean_frame(vec2 a, vec2 b, bool is_cross, vec2 pitch) {
+  const vec2 sum = a + turned_like(b, a, is_cross);
+  return {sum / std::sqrt(glm::dot(sum, sum)), pitch};
+}
 
 // Exact rows of one direction, anchored where the box about the area, turned into the rows' frame, has its lower left
 // corner, so that whole stones start there.

@@ -2,9 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/error.h"
+#include "core/parallel.h"
+#include "geometry/lattice.h"
+#include "paving/cutting.h"
 #include "paving/layout_quality.h"
 #include "paving/paved_areas.h"
+#include "scene/outline_file.h"
+#include "support/shared_data.h"
 
 namespace shatterpave::paving {
 namespace {
@@ -50,6 +57,161 @@ TEST(Laying, RefusesTooManyStonesAndSaysHowMany) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("694"), std::string::npos) << error.what();
   }
+}
+
+// What the design of the paving holds the packing to, on its benchmark.
+TEST(Laying, RadialRowsOnTheQuarterAnnulusMeetTheirTargets) {
+  for (const double stone_mm : {248.0, 89.0}) {
+    const Pavement paved = pavement(quarter_annulus(), stone_mm, 8, RadialDirection{});
+    const StoneLayout layout = laid_stones(paved, 7);
+    EXPECT_EQ(faults(paved, layout).total(), 0U);
+    const LayoutQuality q = quality(paved, layout);
+    EXPECT_GT(q.stones, stone_mm > 100 ? 900U : 6500U);
+    EXPECT_GT(q.whole, q.stones * 9 / 10);
+    EXPECT_LE(q.mean_misalignment_deg, 1.5);
+    EXPECT_LE(q.p95_misalignment_deg, stone_mm > 100 ? 6.0 : 5.0);
+    EXPECT_GE(q.four_sided, 0.98);
+    EXPECT_GE(q.coverage, 0.995);
+    EXPECT_GE(q.joint_p5, 0.9);
+    EXPECT_LE(q.joint_p95, 1.1);
+    // With few stones to a row an irregular spot is a larger part of it.
+    EXPECT_LE(q.area_spread, stone_mm > 100 ? 0.12 : 0.08);
+    EXPECT_GE(q.smallest, least_piece);
+  }
+}
+
+struct FieldCase {
+  const char* name;
+  Direction direction;
+};
+
+class LayingAlongEveryField : public testing::TestWithParam<FieldCase> {};
+
+TEST_P(LayingAlongEveryField, IsExactAndWithoutHoles) {
+  for (const geometry::Region& area : {path_area(), concave_area()}) {
+    for (const vec2 stone_mm : {vec2{100, 100}, vec2{140, 90}}) {
+      Pavement paved = pavement(area, 100, 8, GetParam().direction);
+      paved.stone_mm = stone_mm;
+      const StoneLayout layout = laid_stones(paved, 7);
+      EXPECT_EQ(faults(paved, layout).total(), 0U);
+      const LayoutQuality q = quality(paved, layout);
+      EXPECT_GE(q.coverage, 0.995);
+      EXPECT_GT(q.whole, q.stones / 2);
+      EXPECT_GE(q.four_sided, stone_mm.x == stone_mm.y ? 0.98 : 0.85);
+      EXPECT_LE(q.mean_misalignment_deg, 3.0);
+      EXPECT_NEAR(q.mean_area, 1.0, 0.05);
+      for (const Stone& stone : layout.stones) {
+        EXPECT_GT(stone.angle.degrees(), -90.0);
+        EXPECT_LE(stone.angle.degrees(), 90.0);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Fields, LayingAlongEveryField,
+                         testing::Values(FieldCase{"constant", straight(20)}, FieldCase{"boundary", BoundaryDirection{}},
+                                         FieldCase{"radial", RadialDirection{{2000, -800}}},
+                                         FieldCase{"guides", GuidesDirection{{{{-500, -500}, {2000, 600}, {4000, 1800}},
+                                                                              {{0, 6000}, {2500, 4200}}}}}),
+                         [](const auto& named) { return std::string(named.param.name); });
+
+TEST(Laying, IsTheSameWithAnyNumberOfThreads) {
+  const Pavement paved = pavement(concave_area(), 100, 8, BoundaryDirection{});
+  std::vector<StoneLayout> layouts;
+  for (const int threads : {1, 2, 7}) {
+    const ThreadLimit limit(threads);
+    layouts.push_back(laid_stones(paved, 7));
+  }
+  EXPECT_EQ(layouts[0], layouts[1]);
+  EXPECT_EQ(layouts[0], layouts[2]);
+  EXPECT_NE(layouts[0], laid_stones(paved, 8));
+}
+
+// Real plans; 300 mm stones, so that the test is quick.
+TEST(Laying, PlazasAreExactAlongTheirBorders) {
+  SKIP_WITHOUT_SHARED_DATA();
+  for (const char* name : {"karl-marx-platz-berlin", "tabard-piazza-london", "footway-london"}) {
+    const auto file = support::shared_data() / "plazas" / (std::string(name) + ".geojson");
+    const geometry::Region area = scene::outline_of_file(file, {});
+    for (const Direction& direction : {straight(30), Direction(BoundaryDirection{})}) {
+      const Pavement paved = pavement(area, 300, 8, direction);
+      const StoneLayout layout = laid_stones(paved, 7);
+      EXPECT_GT(layout.stones.size(), 1000U) << name;
+      EXPECT_EQ(faults(paved, layout).total(), 0U) << name;
+      const LayoutQuality q = quality(paved, layout);
+      EXPECT_GE(q.coverage, 0.995) << name;
+      EXPECT_GE(q.four_sided, 0.98) << name;
+      EXPECT_GE(q.joint_p5, 0.9) << name;
+      EXPECT_LE(q.joint_p95, 1.1) << name;
+    }
+  }
+}
+
+// Areas that leave no room for a plain stone. Nothing may crash, hang, overlap or leave the area.
+TEST(Laying, BearsOddAreas) {
+  const std::vector<geometry::Region> areas = {
+      {{{0, 0}, {5000, 0}, {5000, 30}, {0, 30}}, {}},                            // thinner than a stone
+      {{{0, 0}, {60, 0}, {60, 50}, {0, 50}}, {}},                                // smaller than a stone
+      {{{0, 0}, {0.004, 0}, {0, 0.004}}, {}},                                    // smaller than the joint
+      {{{0, 0}, {8000, 10}, {0, 20}}, {}},                                       // a needle
+      {{{0, 0}, {3000, 0}, {1500, 3}, {3000, 900}, {0, 900}, {1400, 4}}, {}},    // waists
+      {{{0, 0}, {900, 0}, {900, 900}, {0, 900}}, {circle({450, 450}, 20, 12)}},  // a hole within a stone
+      {{{0, 0}, {900, 0}, {900, 900}, {0, 900}},
+       {{{450, 450}, {450, 900}, {300, 600}},  // holes that touch all and sundry
+        {{450, 450}, {600, 300}, {450, 300}}}},
+  };
+  for (const geometry::Region& area : areas) {
+    for (const Direction& direction : {straight(10), Direction(BoundaryDirection{}), Direction(RadialDirection{{450, 450}})}) {
+      for (const double joint_mm : {0.0, 8.0, 150.0}) {
+        const Pavement paved = pavement(area, 100, joint_mm, direction);
+        const LayoutFaults found = faults(paved, laid_stones(paved, 1));
+        EXPECT_EQ(found.total(), 0U) << "area " << &area - areas.data() << ", joint " << joint_mm << ": " << found.invalid
+                                     << " invalid, " << found.overlaps << " overlaps, " << found.outside << " outside";
+      }
+    }
+  }
+}
+
+TEST(Laying, RefusesSizesThatMeanNothing) {
+  const geometry::Region area = path_area();
+  EXPECT_THROW(static_cast<void>(laid_stones(pavement(area, 0, 8, straight(0)), 1)), InputError);
+  EXPECT_THROW(static_cast<void>(laid_stones(pavement(area, 100, -1, straight(0)), 1)), InputError);
+  EXPECT_THROW(static_cast<void>(laid_stones(pavement(area, std::nan(""), 8, straight(0)), 1)), InputError);
+  EXPECT_THROW(static_cast<void>(laid_stones(pavement({}, 100, 8, straight(0)), 1)), InputError);
+  EXPECT_THROW(static_cast<void>(laid_stones(pavement(area, 100, 8, GuidesDirection{}), 1)), InputError);
+}
+
+TEST(Laying, WithoutJointsStonesStillDoNotMeet) {
+  const Pavement paved = pavement(concave_area(), 100, 0, BoundaryDirection{});
+  const StoneLayout layout = laid_stones(paved, 7);
+  EXPECT_EQ(faults(paved, layout).total(), 0U);
+  double laid = 0.0;
+  for (const Stone& stone : layout.stones) laid += geometry::area(stone.outline_mm);
+  EXPECT_GT(laid, 0.999 * geometry::area(paved.area));
+}
+
+// The measure itself must see what is wrong.
+TEST(LayoutQuality, SeesAMissingStoneWiderJointsAndATurnedField) {
+  const Pavement paved = pavement(quarter_annulus(), 248, 8, RadialDirection{});
+  const StoneLayout layout = laid_stones(paved, 7);
+  const LayoutQuality good = quality(paved, layout);
+
+  StoneLayout missing = layout;
+  missing.stones.erase(missing.stones.begin() + 500);
+  EXPECT_LT(quality(paved, missing).coverage, good.coverage - 0.5 / static_cast<double>(good.stones));
+
+  Pavement wider = paved;
+  wider.joint_mm *= 1.05;
+  const LayoutQuality wide = quality(paved, laid_stones(wider, 7));
+  EXPECT_GT(wide.joint_p5, 1.04);
+  EXPECT_LT(good.joint_p5, 1.01);
+
+  StoneLayout turned = layout;
+  for (Stone& stone : turned.stones) {
+    const vec2 middle = geometry::centroid(stone.outline_mm);
+    for (vec2& p : stone.outline_mm) p = geometry::on_lattice(middle + rotated(p - middle, Angle::degrees(3.0)));
+  }
+  EXPECT_GT(quality(paved, turned).mean_misalignment_deg, 2.0);
 }
 
 // The oracle itself must see what is wrong.

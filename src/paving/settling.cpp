@@ -138,6 +138,16 @@ class Settling {
     return {to, q.y < 0.0 ? -left_of(axis) : left_of(axis), pitch_.y, 1.0};
   }
 
+  // Whether the side is one of the two that the straight side of a T is made of; only their sum has a length to be.
+  bool is_part_of_tee(std::uint32_t from, std::uint32_t to) const {
+    const auto is_part = [this](std::uint32_t end, std::uint32_t other) {
+      if (tee_at_[end] == none) return false;
+      const Tee& tee = tees_[tee_at_[end]];
+      return other == tee.before || other == tee.after;
+    };
+    return is_part(from, to) || is_part(to, from);
+  }
+
   void collect_wishes() {
     std::vector<std::pair<std::uint32_t, Wish>> all;
     all.reserve(cells_.corner.size() + 2 * tees_.size());
@@ -151,12 +161,7 @@ class Settling {
       // The short side between two cells that meet corner to corner is no side of a stone.
       const vec2 q = frame.into(cells_.corners[to] - cells_.corners[from]);
       if (std::max(std::abs(q.x), std::abs(q.y)) < least_side) return;
-      for (const std::uint32_t end : {from, to}) {
-        if (tee_at_[end] == none) continue;
-        const Tee& tee = tees_[tee_at_[end]];
-        const std::uint32_t other = end == from ? to : from;
-        if (other == tee.before || other == tee.after) w.length_weight = 0.0;
-      }
+      if (is_part_of_tee(from, to)) w.length_weight = 0.0;
       all.emplace_back(from, w);
       // At the rim nobody beyond the side speaks for its other end.
       const std::uint32_t beyond = cells_.neighbour[side];

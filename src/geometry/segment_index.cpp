@@ -52,8 +52,7 @@ std::vector<int> SegmentIndex::near(LatticePoint p, LatticePoint q) const {
     }
   }
   std::ranges::sort(found);
-  const auto rest = std::ranges::unique(found);
-  found.erase(rest.begin(), rest.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 

@@ -81,8 +81,7 @@ double distance_to_line(LatticePoint p, const Segment& segment) {
 
 std::vector<int> distinct(std::vector<int> numbers) {
   std::ranges::sort(numbers);
-  const auto rest = std::ranges::unique(numbers);
-  numbers.erase(rest.begin(), rest.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
 }
 

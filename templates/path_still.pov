@@ -13,21 +13,30 @@ global_settings { assumed_gamma 1.0 max_trace_level 8 }
 #include "shatterpave_garden.inc"
 //@model
 
-// ---- the pavement, laid along +z from the origin
+// ---- the pavements, laid along +z from the origin
 
-#declare Low = Still_Pavement_Min(0);
-#declare High = Still_Pavement_Max(0);
-#declare Lies_Along_X = (High.x - Low.x > High.z - Low.z);
-#declare Place = transform {
-   translate -<(Low.x + High.x) / 2, 0, (Low.z + High.z) / 2>
-   #if (Lies_Along_X) rotate -90 * y #end
-   translate z * max(High.x - Low.x, High.z - Low.z) / 2
-}
+#declare Low = Still_Pavement_Min[0];
+#declare High = Still_Pavement_Max[0];
+#for (I, 1, Still_Pavement_Count - 1)
+   #declare Low = <min(Low.x, Still_Pavement_Min[I].x), 0, min(Low.z, Still_Pavement_Min[I].z)>;
+   #declare High = <max(High.x, Still_Pavement_Max[I].x), 0, max(High.z, Still_Pavement_Max[I].z)>;
+#end
 #declare Length = max(High.x - Low.x, High.z - Low.z);
 #declare Width = min(High.x - Low.x, High.z - Low.z);
-#declare Paved = object { Still_Pavement_Bed(0) transform { Place } }
+#declare Place = transform {
+   translate -<(Low.x + High.x) / 2, 0, (Low.z + High.z) / 2>
+   #if (High.x - Low.x > High.z - Low.z) rotate -90 * y #end
+   translate z * Length / 2
+}
+#for (I, 0, Still_Pavement_Count - 1)
+   object { Still_Pavement(I) transform { Place } }
+#end
 
-object { Still_Pavement(0) transform { Place } }
+// All beds together, for asking what is paved.
+#declare Paved = object { Still_Pavement_Bed(0) transform { Place } }
+#for (I, 1, Still_Pavement_Count - 1)
+   #declare Paved = union { object { Paved } object { Still_Pavement_Bed(I) transform { Place } } }
+#end
 
 #macro Is_Paved(X, Z) (inside(Paved, <X, -10, Z>)) #end
 
@@ -42,11 +51,12 @@ object { Still_Pavement(0) transform { Place } }
    (Sum / max(1, Count))
 #end
 
-// ---- camera: at the height of a child's eye on a path, of a grown-up's on a plaza
+// ---- camera: at the height of a child's eye on a path, on a plaza at that of somebody on a bench
 
-#declare Eye_Height = min(1600, 600 + Width * 0.12);
-#declare Near = min(250, Length * 0.03);
-#declare Ahead = min(Length * 0.55, 6200);
+#declare Is_Plaza = (Width > 6000);
+#declare Eye_Height = min(2300, 600 + Width * 0.12);
+#declare Near = select(Is_Plaza - 1, min(250, Length * 0.03), Length * 0.12);
+#declare Ahead = select(Is_Plaza - 1, min(Length * 0.55, 6200), Length * 0.45);
 #declare Eye = <Middle_At(Near + 400), Eye_Height, Near>;
 camera {
    perspective
@@ -54,7 +64,7 @@ camera {
    right x * image_width / image_height
    up y
    angle 50
-   look_at <(Middle_At(Ahead) * 0.6 + Eye.x * 0.4), 230, Ahead>
+   look_at <(Middle_At(Ahead) * 0.6 + Eye.x * 0.4), select(Is_Plaza - 1, 230, -Length * 0.03), Ahead>
 }
 
 // ---- light: a low sun on the left, a little behind the camera, and the sky from all sides
@@ -193,7 +203,7 @@ box {
 #declare Lawn_Near = 5200;
 #declare Lawn_End = Length + 1500;
 Lay_Lawn(Eye.z, min(Lawn_End, Eye.z + Lawn_Near), 4300, Turf_Side, Turfs, 42)
-#if (Lawn_End > Eye.z + Lawn_Near & Width < 6000)
+#if (Lawn_End > Eye.z + Lawn_Near & !Is_Plaza)
    Lay_Lawn(Eye.z + Lawn_Near, min(Lawn_End, 16000), 5200, 2 * Turf_Side, Coarse_Turfs, 70)
 #end
 
@@ -247,11 +257,21 @@ object { Garden_Tree(9000, 3600, 380, Leaf_Far, 24) translate <End_X - 13500, -6
 object { Garden_Tree(7000, 3300, 380, Leaf_Far, 25) translate <End_X + 13500, -6, Gate_Z + 26000> }
 object { Garden_Tree(8200, 1000, 170, Leaf_Green, 26) translate <Eye.x - 15200, -6, Eye.z + 1700> }
 
+// A plaza is lined with trees on both sides.
+#if (Is_Plaza)
+   #for (I, 0, 7)
+      #for (Side, -1, 1, 2)
+         object { Garden_Tree(7000 + 2500 * rand(R), 3000, 240, Leaf_Green, 40 + 2 * I + Side)
+            translate <Side * (Width / 2 + 2500 + 3000 * rand(R)), -6, Length * (0.22 + 0.78 * I / 7)> }
+      #end
+   #end
+#end
+
 // Hills, paler the farther they are.
 #macro Hill(X, Z, Radius, Height, Colour)
    sphere { 0, 1 scale <Radius, Height, Radius * 0.4> translate <X, -6, Z>
       pigment { bozo color_map { [0.3 rgb Colour] [0.7 rgb Colour * 0.86] } scale 9000 } finish { ambient 0 diffuse 0.8 emission 0.25 } }
 #end
-Hill(-60000, 230000, 190000, 17000, <0.20, 0.26, 0.27>)
-Hill(120000, 260000, 200000, 24000, <0.24, 0.30, 0.34>)
-Hill(30000, 150000, 120000, 7000, <0.15, 0.20, 0.12>)
+Hill(-160000, 330000, 390000, 19000, <0.20, 0.26, 0.27>)
+Hill(240000, 360000, 420000, 28000, <0.24, 0.30, 0.34>)
+Hill(60000, 250000, 330000, 9000, <0.15, 0.20, 0.12>)

@@ -183,29 +183,35 @@ double feasible_shoulder(const Polygon& polygon) {
   return used_of_feasible * width;
 }
 
+// G over `quad` as a polynomial of bidegree (2, 2), by its blossom: control point (i, j) is the mean of G over the ways to
+// choose i of 2 and j of 2.
+double dome_control(const std::array<vec2, 4>& quad, const Dome& dome, std::size_t i, std::size_t j) {
+  const auto corner = [&](std::size_t u, std::size_t v) { return quad[v == 0 ? u : 3 - u]; };
+  const std::array<std::size_t, 2> us = {i / 2, (i + 1) / 2};
+  const std::array<std::size_t, 2> vs = {j / 2, (j + 1) / 2};
+  return 0.5 *
+         (dome.blossom(corner(us[0], vs[0]), corner(us[1], vs[1])) + dome.blossom(corner(us[0], vs[1]), corner(us[1], vs[0])));
+}
+
+// The same raised to degree 3 in both: (q0, (q0 + 2 q1) / 3, (2 q1 + q2) / 3, q2).
+double raised_dome_control(const std::array<vec2, 4>& quad, const Dome& dome, std::size_t row, std::size_t column) {
+  constexpr std::array<std::array<double, 3>, 4> raise = {
+      {{1.0, 0.0, 0.0}, {1.0 / 3.0, 2.0 / 3.0, 0.0}, {0.0, 2.0 / 3.0, 1.0 / 3.0}, {0.0, 0.0, 1.0}}};
+  double height = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) height += raise[row][i] * raise[column][j] * dome_control(quad, dome, i, j);
+  }
+  return height;
+}
+
 // A patch bilinear in the plane over `quad`, with `shoulder(row, column)` as control heights of f, and the dome added.
 BezierPatch domed_patch(const std::array<vec2, 4>& quad, const Dome& dome,
                         const std::function<double(std::size_t, std::size_t)>& shoulder) {
-  // G of bidegree (2, 2) by its blossom: control point (i, j) is the mean of G over the ways to choose i of 2 and j of 2.
-  const auto quadratic = [&](std::size_t i, std::size_t j) {
-    const auto corner = [&](std::size_t u, std::size_t v) { return quad[v == 0 ? u : 3 - u]; };
-    const std::array<std::size_t, 2> us = {i == 2 ? 1U : 0U, i >= 1 ? 1U : 0U};
-    const std::array<std::size_t, 2> vs = {j == 2 ? 1U : 0U, j >= 1 ? 1U : 0U};
-    return 0.5 * (dome.blossom(corner(us[0], vs[0]), corner(us[1], vs[1])) +
-                  dome.blossom(corner(us[0], vs[1]), corner(us[1], vs[0])));
-  };
-  // Degree raised from 2 to 3: (q0, (q0 + 2 q1) / 3, (2 q1 + q2) / 3, q2).
-  constexpr std::array<std::array<double, 3>, 4> raise = {
-      {{1.0, 0.0, 0.0}, {1.0 / 3.0, 2.0 / 3.0, 0.0}, {0.0, 2.0 / 3.0, 1.0 / 3.0}, {0.0, 0.0, 1.0}}};
   BezierPatch patch;
   for (std::size_t row = 0; row < 4; ++row) {
     for (std::size_t column = 0; column < 4; ++column) {
-      double height = shoulder(row, column);
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) height += raise[row][i] * raise[column][j] * quadratic(i, j);
-      }
       const vec2 place = bilinear(quad, static_cast<double>(row) / 3.0, static_cast<double>(column) / 3.0);
-      patch.at(row, column) = {place.x, place.y, height};
+      patch.at(row, column) = {place.x, place.y, shoulder(row, column) + raised_dome_control(quad, dome, row, column)};
     }
   }
   return patch;

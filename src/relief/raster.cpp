@@ -80,9 +80,10 @@ Raster display(const Raster& linear) {
 HeightImage height_image(const HeightField& field) {
   HeightImage image{{field.width, field.height, 1, std::vector<float>(field.heights_mm.size(), 0.0F)}, 0.0, 0.0};
   if (field.heights_mm.empty()) return image;
-  const auto [lowest, highest] = std::ranges::minmax(field.heights_mm);
+  const auto extremes = std::ranges::minmax(field.heights_mm);
+  const double lowest = extremes.min;
   image.low_mm = lowest;
-  image.range_mm = highest - lowest;
+  image.range_mm = extremes.max - lowest;
   if (image.range_mm == 0.0) return image;
   std::ranges::transform(field.heights_mm, image.raster.values.begin(),
                          [&](double height) { return static_cast<float>((height - lowest) / image.range_mm); });

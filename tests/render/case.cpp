@@ -104,6 +104,8 @@ Case case_named(const std::string& name) {
   result.folder = cases_folder() / name;
   const toml::table table = toml::parse_file((result.folder / "expect.toml").string());
   static_cast<void>(required<std::string>(table, "about"));
+  const auto scene = table["scene"].value<std::string>();
+  result.scene = scene ? std::filesystem::path(SHATTERPAVE_SOURCE_DIR) / *scene : result.folder / "scene.toml";
   const auto size = pair(table, "size");
   result.width = size[0];
   result.height = size[1];

@@ -1,6 +1,7 @@
-// A case of the golden-image tests: a folder with scene.toml, golden.exr and expect.toml.
+// A case of the golden-image tests: a folder with expect.toml, golden.exr, and scene.toml unless another scene is named.
 //
 //     about = "what the picture shows, and what it guards"
+//     scene = "scenes/stone_path.toml"      # from the root of the project; default: scene.toml of the folder
 //     size  = [160, 120]                    # of the picture, px
 //     oversampling = 1                      # rendered so many times as large, and averaged
 //     grid  = [4, 4]                        # columns and rows of the regions that are compared too
@@ -62,6 +63,7 @@ struct Seeds {
 struct Case {
   std::string name;
   std::filesystem::path folder;
+  std::filesystem::path scene;
   std::size_t width = 0;
   std::size_t height = 0;
   std::size_t oversampling = 1;
@@ -70,7 +72,6 @@ struct Case {
   std::optional<Seeds> seeds;
   std::vector<NearMiss> near_misses;
 
-  std::filesystem::path scene() const { return folder / "scene.toml"; }
   std::filesystem::path golden() const { return folder / "golden.exr"; }
 };
 

@@ -25,7 +25,7 @@ scene::Override override_of(const std::string& text) {
 exporting::Model model_of(const Case& of, const NearMiss* miss, std::optional<std::uint64_t> seed) {
   std::vector<scene::Override> overrides;
   if (miss != nullptr) std::ranges::transform(miss->set, std::back_inserter(overrides), override_of);
-  scene::Scene read = scene::scene_of_file(of.scene(), overrides);
+  scene::Scene read = scene::scene_of_file(of.scene, overrides);
   read.name = of.name;
   if (seed) read.seed = *seed;
   exporting::Model model = pipeline::generated(read);

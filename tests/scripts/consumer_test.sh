@@ -35,7 +35,7 @@ at_mm = [150, 150]
 radial_count = 24
 TOML
 cd /
-"$scratch/installed/bin/shatterpave" export "$scratch/scene.toml" -o "$scratch/out" --target json >/dev/null
+"$scratch/installed/bin/shatterpave" export "$scratch/scene.toml" -o "$scratch/out" --target json --target povray >/dev/null
 python3 -c 'import json, sys
 a, b = (json.load(open(name))["panes"][0]["cracks"] for name in sys.argv[1:])
 assert a == b, "library and command differ"' "$scratch/consumer.json" "$scratch/out/scene.json" ||

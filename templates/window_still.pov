@@ -60,12 +60,12 @@ global_settings { assumed_gamma 1.0 max_trace_level 14 adc_bailout 1 / 255 }
          linear_sweep linear_spline -Length, Length, 15,
          <0, -0.50>, <-0.95, -0.50>, <-1.00, -0.44>, <-1.00, -0.30>, <-1.30, -0.10>, <-1.34, -0.10>, <-1.34, 0.10>,
          <-1.30, 0.12>, <-1.14, 0.20>, <-1.03, 0.31>, <-0.99, 0.42>, <-0.95, 0.42>, <-0.86, 0.50>, <0, 0.50>, <0, -0.50>
-         scale <0.75, 1 / Bar, 0.75>
+         scale <(1 + Lip / Bar) / 1.34, 1 / Bar, 0.75>
          matrix <0, 1, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0>
          scale Bar
       }
-      plane { vnormalize(<1, 1, 0>), 0 translate x * Length / 2 }
-      plane { vnormalize(<-1, 1, 0>), 0 translate -x * Length / 2 }
+      plane { vnormalize(<1, -1, 0>), 0 translate x * Length / 2 }
+      plane { vnormalize(<-1, -1, 0>), 0 translate -x * Length / 2 }
       Wood(Shift)
    }
 #end
@@ -97,6 +97,17 @@ global_settings { assumed_gamma 1.0 max_trace_level 14 adc_bailout 1 / 255 }
       #end
       translate <Left + Bar - Low.x, -(Low.y + High.y) / 2, 0>
    }
+   // A lower sash stands between two boards.
+   #declare Top = (High.y - Low.y) / 2 + Bar;
+   #if (Top < 0.999 * Row_Height / 2)
+      #for (J, 0, 1)
+         box {
+            <Left, Top, -0.25 * Bar>, <Left + High.x - Low.x + 2 * Bar, Row_Height / 2, 0.25 * Bar>
+            scale <1, 1 - 2 * J, 1>
+            Wood(<3.3, 0.2 + 0.4 * J, 0.6>)
+         }
+      #end
+   #end
    #declare Left = Left + High.x - Low.x + 2 * Bar + Step;
 #end
 

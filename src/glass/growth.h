@@ -21,7 +21,7 @@ namespace shatterpave::glass {
 // REQUIRES the ranges of glass/pane.h. Throws InputError for an impact that is not strictly inside the outline, and for speeds
 // and a time step with which cracks would need more than a million steps to cross the pane.
 //
-// A tip costs the same per step whatever grows elsewhere. M = 105 on 300 mm takes some 10 ms, M = 10,000 less than a second.
+// A tip costs the same per step whatever grows elsewhere. M = 105 on 300 mm takes some 30 ms, M = 10,000 less than a second.
 CrackNetwork grown_cracks(const Pane& pane, std::uint64_t seed);
 
 }  // namespace shatterpave::glass

@@ -13,8 +13,8 @@ namespace shatterpave::glass {
 // The law by which Rand of eq. 8 to 11 draws within [(1 - z) x, (1 + z) x].
 enum class Spread { normal, uniform };
 
-// How the bracket of eq. 6 makes a whole number. The printed counts of Figs. 14 and 15 follow from rounding up, those of
-// Fig. 16 from rounding down.
+// How the bracket of eq. 6 makes a whole number. The printed counts of Figs. 14 and 15 follow from rounding up; of Fig. 16, a
+// and d do too, b and c follow from rounding down.
 enum class Rounding { down, nearest, up };
 
 // The growth model of Agui et al. 1992, §4.2. Lengths are in px of the paper's lattice, one px being 300/640 mm on a pane

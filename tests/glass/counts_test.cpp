@@ -58,8 +58,8 @@ double poisson_p(const std::vector<double>& sample, double mean) {
   return support::chi_square_p(observed, expected);
 }
 
-// Eq. 3 with the constants that glass.md found, against all twelve printed R; eq. 6 against the printed N: Figs. 14 and 15
-// follow from rounding up, but for what the scan of Fig. 16c shows, Fig. 16 from rounding down.
+// Eq. 3 with the constants of Growth, against all twelve printed R; eq. 6 against the printed N: those of Figs. 14 and 15
+// follow from rounding up, those of Fig. 16 some from the one, some from the other.
 TEST(Counts, FollowThePrintedOnes) {
   for (const Preset& preset : presets()) {
     EXPECT_EQ(counts_of(preset.radial_count, Rounding::up).circular_count, preset.circular_count) << preset.name;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "core/embedded.h"
 #include "scene/apply_override.h"
 #include "scene/input_file.h"
 #include "scene/pane_section.h"
@@ -76,9 +77,22 @@ void require_unique_names(const TomlTable& root, const Scene& scene) {
   for (std::size_t i = 0; i < scene.pavements.size(); ++i) add("pavement", i, scene.pavements[i].name);
 }
 
+// Settings are the templates whose names end so.
+constexpr std::string_view setting_ending = "_still.pov";
+
 Still still_of(const TomlTable& root) {
   Still still;
-  if (const auto table = root.table("still", {"setting"})) still.setting = table->text("setting").value_or("");
+  const auto table = root.table("still", {"setting"});
+  const auto setting = table ? table->text("setting") : std::nullopt;
+  if (!setting || setting->empty()) return still;
+  std::string names;
+  for (const EmbeddedFile& file : embedded_files()) {
+    if (!file.name.ends_with(setting_ending)) continue;
+    const std::string_view name = file.name.substr(0, file.name.rfind('.'));
+    if (name == *setting) still.setting = *setting;
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", name);
+  }
+  if (still.setting.empty()) refuse(table->place("setting"), names, in_quotes(*setting));
   return still;
 }
 

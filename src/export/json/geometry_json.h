@@ -1,4 +1,4 @@
-// Geometry as JSON, for scripts and other programs: the format "shatterpave-geometry" of docs/geometry-json.md.
+// Geometry as JSON, for scripts and other programs: the format "shatterpave-geometry" of docs/scene-file.md.
 #pragma once
 
 #include "export/model.h"

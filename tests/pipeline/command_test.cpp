@@ -1,0 +1,237 @@
+// The built command, as a user runs it: exit status, what it prints, and that the same scene gives the same bytes.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "pipeline/subprocess.h"
+#include "pipeline/write.h"
+
+namespace shatterpave::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Files = std::map<std::string, std::string>;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+struct Outcome {
+  int status = 0;
+  std::string out;  // stdout
+  std::string err;  // stderr
+};
+
+class Command : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "command-test-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    root_ = pattern;
+    write_file(root_ / "s.toml", scene);
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  // The shell only takes the two streams apart.
+  Outcome command(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) const {
+    std::vector<std::string> all = {"sh", "-c", "exec \"$0\" \"$@\" >stdout.txt 2>stderr.txt", SHATTERPAVE_COMMAND};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Ending ending = pipeline::run({all, root_, environment, {}}, [](std::string_view) {}, {});
+    EXPECT_EQ(ending.signal, 0);
+    Outcome result{ending.status, text_of(root_ / "stdout.txt"), text_of(root_ / "stderr.txt")};
+    fs::remove(root_ / "stdout.txt");
+    fs::remove(root_ / "stderr.txt");
+    return result;
+  }
+
+  Files files_in(const fs::path& folder) const {
+    Files files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      files[fs::relative(entry.path(), folder).string()] = entry.is_directory() ? "folder" : text_of(entry.path());
+    }
+    return files;
+  }
+
+  static constexpr std::string_view scene = R"(seed = 3
+[[pane]]
+name = "window"
+preset = "agui1992-fig15b"
+[[pane]]
+name = "other"
+size_mm = [200, 150]
+[[pane.impact]]
+at_mm = [60, 70]
+radial_count = 24
+[[pavement]]
+name = "path"
+outline_mm = [[0, 0], [3000, 100], [3200, 1500], [1500, 1200], [0, 1600]]
+holes_mm = [[[500, 500], [700, 500], [700, 700]]]
+[pavement.direction]
+kind = "boundary"
+)";
+
+  fs::path root_;
+};
+
+TEST_F(Command, WritesTheSameBytesWithAnyThreadsLocaleAndProcessor) {
+  const std::vector<std::string> targets = {"--target", "povray", "--target", "json", "--target", "svg"};
+  const auto exported = [&](const std::string& folder, const std::string& threads,
+                            const std::vector<std::string>& environment) {
+    std::vector<std::string> arguments = {"export", "s.toml", "-o", folder, "--threads", threads};
+    arguments.insert(arguments.end(), targets.begin(), targets.end());
+    const Outcome result = command(arguments, environment);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    return files_in(root_ / folder);
+  };
+  const Files first = exported("one", "1", {});
+  EXPECT_GE(first.size(), 6U);
+  EXPECT_EQ(exported("two", "2", {}), first);
+  EXPECT_EQ(exported("seven", "7", {}), first);
+  EXPECT_EQ(exported("german", "2", {"LC_ALL=de_DE.UTF-8"}), first);
+  EXPECT_EQ(exported("turkish", "2", {"LC_ALL=tr_TR.UTF-8"}), first);
+  EXPECT_EQ(exported("plain", "2", {"GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2_Usable,-FMA_Usable"}), first);
+  // What glibc 2.36 calls the same switches.
+  EXPECT_EQ(exported("older", "2", {"GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F"}), first);
+  // A twin that must differ, or equality means nothing.
+  const Outcome other = command({"export", "s.toml", "-o", "other", "--target", "json", "--seed", "4"});
+  EXPECT_EQ(other.status, 0);
+  EXPECT_NE(text_of(root_ / "other/s.json"), first.at("s.json"));
+}
+
+TEST_F(Command, PrintsOneLineForEachFileAndNothingElse) {
+  const Outcome result = command({"export", "s.toml", "-o", "out", "--target", "svg", "--target", "json", "--target", "svg"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out, "out/s.json\nout/s-window.svg\nout/s-other.svg\nout/s-path.svg\n");
+  EXPECT_EQ(result.err, "");
+  const Outcome check = command({"check", "s.toml"});
+  EXPECT_EQ(check.status, 0);
+  EXPECT_EQ(check.out + check.err, "");
+}
+
+TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
+  write_file(root_ / "a_file", "x");
+  write_file(root_ / "bad.toml", "[[pane]]\nname = \"w\"\nsize_mm = [nan, 9]\n");
+  const Files before = files_in(root_);
+  const auto expect = [&](const std::vector<std::string>& arguments, const std::string& message) {
+    const Outcome result = command(arguments);
+    EXPECT_EQ(result.status, 2) << message;
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, message + "\n");
+    EXPECT_EQ(files_in(root_), before);
+  };
+  expect({"export", "bad.toml", "-o", "out"},
+         "bad.toml:3:12: pane[0].size_mm[0]: expected a number above 0 and of at most 1000000, got nan");
+  expect({"render", "none.toml", "-o", "out"}, "none.toml: expected a file, got none of that name");
+  expect({"export", "s.toml", "-o", "a_file"}, "a_file: expected an output folder, got a file: a_file");
+  expect({"export", "s.toml", "-o", "out", "--seed", "-1"},
+         "--seed -1: seed: expected a whole number from 0 to 9223372036854775807, got -1");
+  expect({"check", "s.toml", "--set", "pane[0].thickness_mm=nan"},
+         "--set pane[0].thickness_mm=nan: pane[0].thickness_mm: expected a number from 0.1 to 1000, got nan");
+  expect({"check", "s.toml", "--set", "seed"}, "--set seed: expected KEY=VALUE, got no '=' after a key");
+  expect({"render", "s.toml", "-o", "out", "--size", "640"},
+         "shatterpave: --size: expected WxH with 1 to 16384 pixels each, got \"640\"");
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{},
+                                             {"melt"},
+                                             {"measure", "s.toml"},
+                                             {"export", "s.toml"},
+                                             {"export", "-o", "out"},
+                                             {"check", "s.toml", "--colour"},
+                                             {"export", "s.toml", "-o", "out", "--target", "blender"},
+                                             {"export", "s.toml", "-o", "out", "--threads", "-3"}}) {
+    const Outcome result = command(arguments);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(result.err.starts_with("shatterpave: ")) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_EQ(files_in(root_), before);
+  }
+}
+
+TEST_F(Command, ShowsHelpAndVersion) {
+  const Outcome help = command({"--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_NE(help.out.find("export"), std::string::npos);
+  EXPECT_EQ(command({"render", "--help"}).status, 0);
+  EXPECT_TRUE(command({"--version"}).out.starts_with("shatterpave "));
+}
+
+// A program in place of POV-Ray, which fails as the test asks for.
+class FailingRenderer : public Command {
+ protected:
+  Outcome render_with(const std::string& script) {
+    fs::create_directories(root_ / "bin");
+    write_file(root_ / "bin/povray", "#!/bin/sh\n" + script);
+    fs::permissions(root_ / "bin/povray", fs::perms::owner_all);
+    const char* path = std::getenv("PATH");
+    return command({"render", "s.toml", "-o", "out"},
+                   {"PATH=" + (root_ / "bin").string() + ":" + (path != nullptr ? path : "")});
+  }
+};
+
+TEST_F(FailingRenderer, EndsWithThreeAndItsOwnMessage) {
+  const Outcome parse =
+      render_with("echo '==== [Parsing...] ====' >&2; echo \"File 'still.pov' line 3: Parse Error: No.\" >&2; exit 1\n");
+  EXPECT_EQ(parse.status, 3);
+  EXPECT_EQ(parse.err, "POV-Ray failed with status 1:\nFile 'still.pov' line 3: Parse Error: No.\n");
+  const Outcome crash = render_with("kill -SEGV $$\n");
+  EXPECT_EQ(crash.status, 3);
+  EXPECT_TRUE(crash.err.starts_with("POV-Ray was ended by signal 11")) << crash.err;
+  const Outcome nothing = render_with("exit 0\n");
+  EXPECT_EQ(nothing.status, 3);
+  EXPECT_TRUE(nothing.err.starts_with("POV-Ray left no picture")) << nothing.err;
+  EXPECT_FALSE(fs::exists(root_ / "out"));
+}
+
+TEST_F(Command, MissingRendererEndsWithThree) {
+  const Outcome result = command({"render", "s.toml", "-o", "out"}, {"PATH=" + root_.string()});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.err, "POV-Ray was not found: expected the program povray (Debian package povray) in PATH\n");
+  EXPECT_FALSE(fs::exists(root_ / "out"));
+}
+
+// Ctrl-C while the renderer is at work: it is ended, and nothing is left.
+TEST_F(FailingRenderer, InterruptEndsTheRendererAndLeavesNothing) {
+  fs::create_directories(root_ / "bin");
+  const fs::path started = root_ / "started";
+  const std::string script = "#!/bin/sh\necho $$ > " + started.string() + "\nexec sleep 60\n";
+  write_file(root_ / "bin/povray", script);
+  fs::permissions(root_ / "bin/povray", fs::perms::owner_all);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::setenv("PATH", ((root_ / "bin").string() + ":" + std::getenv("PATH")).c_str(), 1);
+    if (::chdir(root_.c_str()) == 0) ::execl(SHATTERPAVE_COMMAND, "shatterpave", "render", "s.toml", "-o", "out", nullptr);
+    ::_exit(99);
+  }
+  for (int i = 0; i < 600 && text_of(started).find('\n') == std::string::npos; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  const pid_t renderer = std::atoi(text_of(started).c_str());
+  ASSERT_GT(renderer, 0);
+  EXPECT_TRUE(fs::exists(root_ / "out"));
+  ::kill(child, SIGINT);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
+  EXPECT_NE(::kill(renderer, 0), 0) << "the renderer still runs";
+  EXPECT_FALSE(fs::exists(root_ / "out"));
+}
+
+}  // namespace
+}  // namespace shatterpave::pipeline

@@ -40,7 +40,8 @@ find src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk -v rules
       wrong(room " may not include " quoted[2])
   }
   /^[ \t]*#[ \t]*include[ \t]*[<"]glm\// && FILENAME != "src/core/vec.h" { wrong("GLM is included in core/vec.h alone") }
-  /^[ \t]*#[ \t]*include[ \t]*<(thread|future|tbb\/.*|oneapi\/tbb.*)>/ && product && FILENAME != "src/core/parallel.cpp" {
+  product && FILENAME != "src/core/parallel.cpp" &&
+      (code ~ /std::(async|j?thread)([^:a-z_]|$)/ || code ~ /^[ \t]*#[ \t]*include[ \t]*<(oneapi\/)?tbb/) {
     wrong("threads are started in core/parallel.cpp alone")
   }
   /^[ \t]*#[ \t]*include[ \t]*<OpenImageIO\// && room != "relief" && !(FILENAME ~ /^tests\/(render|relief)\//) {

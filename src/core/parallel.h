@@ -23,6 +23,7 @@ class ThreadLimit {
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
 // As above for whole chunks [begin, end): for cheap bodies. Chunks are fixed, `chunk` long.
-void parallel_for_chunks(std::size_t count, std::size_t chunk, const std::function<void(std::size_t begin, std::size_t end)>& body);
+void parallel_for_chunks(std::size_t count, std::size_t chunk,
+                         const std::function<void(std::size_t begin, std::size_t end)>& body);
 
 }  // namespace shatterpave

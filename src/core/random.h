@@ -11,23 +11,23 @@ namespace shatterpave {
 
 // What a draw is for. Values are fixed for ever: renumbering one changes every user's pictures. Append only.
 enum class Stream : std::uint32_t {
-  radial_count = 1,         // M of an impact (eq. 5)
-  large_speed = 2,          // eq. 9
-  radial_speed = 3,         // eq. 10
-  ring_radius = 4,          // eq. 8
-  ring_speed = 5,           // eq. 11
-  turn = 6,                 // F3, a draw for each tip and step
-  first_direction = 7,      // direction of the first radial, and phase of the rings
-  large_choice = 8,         // which of the radials are large
-  stone_seed = 20,          // jitter of a seed of the packing
-  packing = 21,             // annealing, a draw for each particle and step
-  stone_height = 22,        // surface of a stone
+  radial_count = 1,     // M of an impact (eq. 5)
+  large_speed = 2,      // eq. 9
+  radial_speed = 3,     // eq. 10
+  ring_radius = 4,      // eq. 8
+  ring_speed = 5,       // eq. 11
+  turn = 6,             // F3, a draw for each tip and step
+  first_direction = 7,  // direction of the first radial, and phase of the rings
+  large_choice = 8,     // which of the radials are large
+  stone_seed = 20,      // jitter of a seed of the packing
+  packing = 21,         // annealing, a draw for each particle and step
+  stone_height = 22,    // surface of a stone
   stone_inset = 23,
   stone_colour = 24,
-  stone_relief = 25,        // place of a stone in the relief
-  relief_lattice = 26,      // gradients of the fractal surface
+  stone_relief = 25,    // place of a stone in the relief
+  relief_lattice = 26,  // gradients of the fractal surface
   stone_tilt = 27,
-  debris = 40,              // crushed zone and other litter about an impact
+  debris = 40,  // crushed zone and other litter about an impact
 };
 
 // Identity of an element, made from what it *is*: its names and its places among its siblings, never from a running

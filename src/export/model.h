@@ -24,17 +24,17 @@ struct PavedArea {
 };
 
 struct Model {
-  std::string name;          // of the scene: stem of the file names
-  std::string setting;       // template of the still
-  std::uint64_t seed = 1;    // for draws that only an exporter needs, such as a stone's place in the relief
+  std::string name;        // of the scene: stem of the file names
+  std::string setting;     // template of the still
+  std::uint64_t seed = 1;  // for draws that only an exporter needs, such as a stone's place in the relief
   std::vector<BrokenPane> panes;
   std::vector<PavedArea> pavements;
 };
 
 // A file as it shall be, in memory.
 struct OutputFile {
-  std::string name;      // relative to the output folder, no folders
-  std::string content;   // bytes
+  std::string name;     // relative to the output folder, no folders
+  std::string content;  // bytes
 };
 
 }  // namespace shatterpave::exporting

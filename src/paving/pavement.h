@@ -38,25 +38,25 @@ using Direction = std::variant<ConstantDirection, BoundaryDirection, RadialDirec
 // The upper surface of a stone: a cubic Bézier patch over its outline (§4 (1) of Miyata and Itoh). Values are means;
 // each stone draws its own within ± its spread (a fraction of the mean).
 struct StoneSurface {
-  double height_mm = 18.0;        // height of the four inner control points above the border, >= 0
-  double height_spread = 0.25;    // 0 … 1
-  double inset = 0.10;            // D: distance of the inner control points from the sides, as a fraction of the stone, 0 … 0.5
-  double inset_spread = 0.3;      // 0 … 1
+  double height_mm = 18.0;      // height of the four inner control points above the border, >= 0
+  double height_spread = 0.25;  // 0 … 1
+  double inset = 0.10;          // D: distance of the inner control points from the sides, as a fraction of the stone, 0 … 0.5
+  double inset_spread = 0.3;    // 0 … 1
   bool operator==(const StoneSurface&) const = default;
 };
 
 // Micro relief: a fractal surface on top (§4 (2)).
 struct Relief {
-  double rms_mm = 0.6;    // root mean square of the height, >= 0; 0 leaves it out
-  double hurst = 0.7;     // Hurst exponent, 0 … 1: near 0 is gritty, near 1 is smooth
+  double rms_mm = 0.6;  // root mean square of the height, >= 0; 0 leaves it out
+  double hurst = 0.7;   // Hurst exponent, 0 … 1: near 0 is gritty, near 1 is smooth
   bool operator==(const Relief&) const = default;
 };
 
 struct Pavement {
-  std::string name;              // unique in its scene, an identifier: letters, digits, '_' and '-'
-  geometry::Region area;         // the paved area, mm
-  vec2 stone_mm{100.0, 100.0};   // face of a whole stone: along the rows, across them; > 0
-  double joint_mm = 8.0;         // between faces of neighbours, >= 0; half of it stays free along outline and holes
+  std::string name;             // unique in its scene, an identifier: letters, digits, '_' and '-'
+  geometry::Region area;        // the paved area, mm
+  vec2 stone_mm{100.0, 100.0};  // face of a whole stone: along the rows, across them; > 0
+  double joint_mm = 8.0;        // between faces of neighbours, >= 0; half of it stays free along outline and holes
   Direction direction;
   StoneSurface surface;
   Relief relief;

@@ -16,6 +16,7 @@ struct Case {
   std::string message;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for.
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 // A pane from its third line on, and a pavement.
@@ -212,6 +213,7 @@ struct OverrideCase {
   std::string message;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for.
 void PrintTo(const OverrideCase& c, std::ostream* out) { *out << c.name; }
 
 class OverrideErrors : public testing::TestWithParam<OverrideCase> {};

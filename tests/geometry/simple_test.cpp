@@ -27,6 +27,7 @@ struct Case {
   std::optional<RegionFault> fault;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for.
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class RegionFaults : public testing::TestWithParam<Case> {};
@@ -122,7 +123,7 @@ TEST(RegionFault, AgreesWithAllPairsOnSmallLattices) {
   for (std::uint32_t round = 0; round < 60'000; ++round) {
     // Few places, so that vertices coincide, lie on edges and edges overlap all the time.
     const auto draw = [&](std::uint32_t i) { return uniform(1, {Stream::turn, Id("simple").child(round), i}); };
-    const auto n = static_cast<std::size_t>(3 + static_cast<int>(draw(0) * 6));
+    const std::size_t n = 3 + static_cast<std::size_t>(draw(0) * 6);
     const double span = 2.0 + static_cast<int>(draw(1) * 6);
     Polygon ring;
     for (std::uint32_t i = 0; ring.size() < n && i < 40; ++i) {

@@ -5,11 +5,52 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <thread>
+#include <vector>
 
 #include "core/error.h"
 
 namespace shatterpave {
+
+namespace {
+
+#ifdef __SANITIZE_THREAD__
+
+// ThreadSanitizer cannot see into Debian's oneTBB, and would report its handing over of tasks as races. Plain threads take its
+// place there, so that what is checked are the bodies.
+void for_each_index(std::size_t count, const std::function<void(std::size_t)>& body) {
+  std::atomic<std::size_t> next{0};
+  std::mutex failing;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        body(i);
+      } catch (...) {
+        const std::scoped_lock lock(failing);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 4; ++i) threads.emplace_back(work);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+#else
+
+void for_each_index(std::size_t count, const std::function<void(std::size_t)>& body) {
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { body(i); });
+}
+
+#endif
+
+}  // namespace
 
 ThreadLimit::ThreadLimit(int threads)
     : control_(new tbb::global_control(
@@ -18,9 +59,7 @@ ThreadLimit::ThreadLimit(int threads)
 
 ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
 
-void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { body(i); });
-}
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) { for_each_index(count, body); }
 
 void parallel_for_chunks(std::size_t count, std::size_t chunk, const std::function<void(std::size_t, std::size_t)>& body) {
   ENSURE(chunk > 0);

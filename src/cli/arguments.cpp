@@ -64,8 +64,7 @@ std::vector<scene::Override> overrides_of(const SceneOptions& options) {
 std::vector<Target> targets_of(std::vector<Target> given) {
   if (given.empty()) given.push_back(Target::povray);
   std::ranges::sort(given);
-  const auto repeated = std::ranges::unique(given);
-  given.erase(repeated.begin(), repeated.end());
+  given.erase(std::unique(given.begin(), given.end()), given.end());
   return given;
 }
 

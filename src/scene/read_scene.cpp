@@ -51,7 +51,7 @@ toml::table parsed(std::string_view text, const std::string& file) {
 
 // The stem of the file, which names the files that are written.
 std::string scene_name(const std::filesystem::path& file) {
-  const std::string name = file.stem().string();
+  std::string name = file.stem().string();
   const bool plain = !name.empty() && std::ranges::all_of(name, [](char c) {
     return static_cast<unsigned char>(c) >= 0x20 && c != 0x7F && c != '"' && c != '\\';
   });

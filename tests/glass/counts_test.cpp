@@ -27,6 +27,7 @@ std::vector<double> radial_counts(int draws, double mean, double dispersion) {
   Growth growth;
   growth.count_dispersion = dispersion;
   std::vector<double> counts;
+  counts.reserve(static_cast<std::size_t>(draws));
   for (int i = 0; i < draws; ++i) {
     counts.push_back(drawn_counts(impact, growth, 11, Id("impact").child(static_cast<std::uint64_t>(i))).radial_count);
   }

@@ -62,6 +62,7 @@ Line fitted(const std::vector<vec2>& points) {
 
 Line large_against_all(const std::vector<CrackNetwork>& networks) {
   std::vector<vec2> points;
+  points.reserve(networks.size());
   for (const CrackNetwork& network : networks) {
     points.emplace_back(network.impacts[0].radial_count, reaching_the_edge(network));
   }

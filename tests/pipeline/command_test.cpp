@@ -46,20 +46,20 @@ class Command : public testing::Test {
   void SetUp() override {
     std::string pattern = (fs::temp_directory_path() / "command-test-XXXXXX").string();
     ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    root_ = pattern;
-    write_file(root_ / "s.toml", scene);
+    root = pattern;
+    write_file(root / "s.toml", scene);
   }
-  void TearDown() override { fs::remove_all(root_); }
+  void TearDown() override { fs::remove_all(root); }
 
   // The shell only takes the two streams apart.
   Outcome command(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) const {
     std::vector<std::string> all = {"sh", "-c", "exec \"$0\" \"$@\" >stdout.txt 2>stderr.txt", SHATTERPAVE_COMMAND};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    const Ending ending = pipeline::run({all, root_, environment, {}}, [](std::string_view) {}, {});
+    const Ending ending = pipeline::run({all, root, environment, {}}, [](std::string_view) {}, {});
     EXPECT_EQ(ending.signal, 0);
-    Outcome result{ending.status, text_of(root_ / "stdout.txt"), text_of(root_ / "stderr.txt")};
-    fs::remove(root_ / "stdout.txt");
-    fs::remove(root_ / "stderr.txt");
+    Outcome result{ending.status, text_of(root / "stdout.txt"), text_of(root / "stderr.txt")};
+    fs::remove(root / "stdout.txt");
+    fs::remove(root / "stderr.txt");
     return result;
   }
 
@@ -90,7 +90,7 @@ holes_mm = [[[300, 300], [500, 300], [500, 500]]]
 kind = "boundary"
 )";
 
-  fs::path root_;
+  fs::path root;
 };
 
 TEST_F(Command, WritesTheSameBytesWithAnyThreadsLocaleAndProcessor) {
@@ -102,7 +102,7 @@ TEST_F(Command, WritesTheSameBytesWithAnyThreadsLocaleAndProcessor) {
     const Outcome result = command(arguments, environment);
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.err, "");
-    return files_in(root_ / folder);
+    return files_in(root / folder);
   };
   const Files first = exported("one", "1", {});
   EXPECT_GE(first.size(), 6U);
@@ -111,7 +111,7 @@ TEST_F(Command, WritesTheSameBytesWithAnyThreadsLocaleAndProcessor) {
   // A twin that must differ, or equality means nothing.
   const Outcome other = command({"export", "s.toml", "-o", "other", "--target", "json", "--seed", "4"});
   EXPECT_EQ(other.status, 0);
-  EXPECT_NE(text_of(root_ / "other/s.json"), first.at("s.json"));
+  EXPECT_NE(text_of(root / "other/s.json"), first.at("s.json"));
 }
 
 // The C library's functions really change by that switch, on a processor that has what it leaves out.
@@ -121,7 +121,7 @@ TEST_F(Command, TunablesChangeTheCLibrary) {
     std::string text;
     const std::string script =
         "import math; print(hash(tuple(math.pow(1 + i / 999, 1.37) + math.sin(i) for i in range(50000))))";
-    pipeline::run({{"python3", "-c", script}, root_, environment, {}}, [&](std::string_view more) { text += more; }, {});
+    pipeline::run({{"python3", "-c", script}, root, environment, {}}, [&](std::string_view more) { text += more; }, {});
     return text;
   };
   const std::string usual = results({});
@@ -141,15 +141,15 @@ TEST_F(Command, PrintsOneLineForEachFileAndNothingElse) {
 }
 
 TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
-  write_file(root_ / "a_file", "x");
-  write_file(root_ / "bad.toml", "[[pane]]\nname = \"w\"\nsize_mm = [nan, 9]\n");
-  const Files before = files_in(root_);
+  write_file(root / "a_file", "x");
+  write_file(root / "bad.toml", "[[pane]]\nname = \"w\"\nsize_mm = [nan, 9]\n");
+  const Files before = files_in(root);
   const auto expect = [&](const std::vector<std::string>& arguments, const std::string& message) {
     const Outcome result = command(arguments);
     EXPECT_EQ(result.status, 2) << message;
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, message + "\n");
-    EXPECT_EQ(files_in(root_), before);
+    EXPECT_EQ(files_in(root), before);
   };
   expect({"export", "bad.toml", "-o", "out"},
          "bad.toml:3:12: pane[0].size_mm[0]: expected a number above 0 and of at most 1000000, got nan");
@@ -173,7 +173,7 @@ TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
     EXPECT_EQ(result.out, "");
     EXPECT_TRUE(result.err.starts_with("shatterpave: ")) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_EQ(files_in(root_), before);
+    EXPECT_EQ(files_in(root), before);
   }
 }
 
@@ -189,12 +189,12 @@ TEST_F(Command, ShowsHelpAndVersion) {
 class FailingRenderer : public Command {
  protected:
   Outcome render_with(const std::string& script) {
-    fs::create_directories(root_ / "bin");
-    write_file(root_ / "bin/povray", "#!/bin/sh\n" + script);
-    fs::permissions(root_ / "bin/povray", fs::perms::owner_all);
+    fs::create_directories(root / "bin");
+    write_file(root / "bin/povray", "#!/bin/sh\n" + script);
+    fs::permissions(root / "bin/povray", fs::perms::owner_all);
     const char* path = std::getenv("PATH");
     return command({"render", "s.toml", "-o", "out"},
-                   {"PATH=" + (root_ / "bin").string() + ":" + (path != nullptr ? path : "")});
+                   {"PATH=" + (root / "bin").string() + ":" + (path != nullptr ? path : "")});
   }
 };
 
@@ -209,27 +209,27 @@ TEST_F(FailingRenderer, EndsWithThreeAndItsOwnMessage) {
   const Outcome nothing = render_with("exit 0\n");
   EXPECT_EQ(nothing.status, 3);
   EXPECT_TRUE(nothing.err.starts_with("POV-Ray left no picture")) << nothing.err;
-  EXPECT_FALSE(fs::exists(root_ / "out"));
+  EXPECT_FALSE(fs::exists(root / "out"));
 }
 
 TEST_F(Command, MissingRendererEndsWithThree) {
-  const Outcome result = command({"render", "s.toml", "-o", "out"}, {"PATH=" + root_.string()});
+  const Outcome result = command({"render", "s.toml", "-o", "out"}, {"PATH=" + root.string()});
   EXPECT_EQ(result.status, 3);
   EXPECT_EQ(result.err, "POV-Ray was not found: expected the program povray (Debian package povray) in PATH\n");
-  EXPECT_FALSE(fs::exists(root_ / "out"));
+  EXPECT_FALSE(fs::exists(root / "out"));
 }
 
 // Ctrl-C while the renderer is at work: it is ended, and nothing is left.
 TEST_F(FailingRenderer, InterruptEndsTheRendererAndLeavesNothing) {
-  fs::create_directories(root_ / "bin");
-  const fs::path started = root_ / "started";
+  fs::create_directories(root / "bin");
+  const fs::path started = root / "started";
   const std::string script = "#!/bin/sh\necho $$ > " + started.string() + "\nexec sleep 60\n";
-  write_file(root_ / "bin/povray", script);
-  fs::permissions(root_ / "bin/povray", fs::perms::owner_all);
+  write_file(root / "bin/povray", script);
+  fs::permissions(root / "bin/povray", fs::perms::owner_all);
   const pid_t child = ::fork();
   if (child == 0) {
-    ::setenv("PATH", ((root_ / "bin").string() + ":" + std::getenv("PATH")).c_str(), 1);
-    if (::chdir(root_.c_str()) == 0) ::execl(SHATTERPAVE_COMMAND, "shatterpave", "render", "s.toml", "-o", "out", nullptr);
+    ::setenv("PATH", ((root / "bin").string() + ":" + std::getenv("PATH")).c_str(), 1);
+    if (::chdir(root.c_str()) == 0) ::execl(SHATTERPAVE_COMMAND, "shatterpave", "render", "s.toml", "-o", "out", nullptr);
     ::_exit(99);
   }
   for (int i = 0; i < 600 && text_of(started).find('\n') == std::string::npos; ++i) {
@@ -237,13 +237,13 @@ TEST_F(FailingRenderer, InterruptEndsTheRendererAndLeavesNothing) {
   }
   const pid_t renderer = std::atoi(text_of(started).c_str());
   ASSERT_GT(renderer, 0);
-  EXPECT_TRUE(fs::exists(root_ / "out"));
+  EXPECT_TRUE(fs::exists(root / "out"));
   ::kill(child, SIGINT);
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
   EXPECT_NE(::kill(renderer, 0), 0) << "the renderer still runs";
-  EXPECT_FALSE(fs::exists(root_ / "out"));
+  EXPECT_FALSE(fs::exists(root / "out"));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr std::string_view still_ending = "_still.pov";
 constexpr std::string_view model_mark = "//@model\n";
 
 std::string setting_of(const Model& model) {
-  const std::string setting = !model.setting.empty() ? model.setting : (model.panes.empty() ? "path_still" : "window_still");
+  std::string setting = !model.setting.empty() ? model.setting : (model.panes.empty() ? "path_still" : "window_still");
   const std::vector<std::string> known = settings();
   if (std::ranges::find(known, setting) == known.end()) {
     throw InputError(fmt::format("setting: expected one of {}, got \"{}\"", fmt::join(known, ", "), setting));
@@ -44,6 +44,7 @@ std::string array(const std::string& name, const std::vector<std::string>& value
 
 std::vector<std::string> each(const std::vector<std::string>& prefixes, std::string_view pattern) {
   std::vector<std::string> texts;
+  texts.reserve(prefixes.size());
   for (const std::string& prefix : prefixes) texts.push_back(fmt::format(fmt::runtime(pattern), prefix));
   return texts;
 }

@@ -108,9 +108,9 @@ void apply(const Override& change, toml::table& scene) {
     if (toml::array* array = parent->as_array()) {
       const toml::node& old = element_of(*array, steps.back(), change);
       const auto at = std::ranges::find_if(*array, [&](const toml::node& element) { return &element == &old; });
-      array->replace(at, std::move(node));
+      array->replace(at, std::forward<decltype(node)>(node));
     } else if (parent->is_table() && std::holds_alternative<std::string>(steps.back())) {
-      parent->as_table()->insert_or_assign(std::get<std::string>(steps.back()), std::move(node));
+      parent->as_table()->insert_or_assign(std::get<std::string>(steps.back()), std::forward<decltype(node)>(node));
     } else {
       next_node(*parent, steps.back(), change);  // says what is wrong
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <system_error>
 namespace shatterpave::scene {
@@ -11,23 +12,33 @@ namespace {
 
 bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-// The length of the character that starts at text[at], or 0 if there is none (Unicode 15, table 3-7).
+// Well-formed characters (Unicode 15, table 3-7): a range of first bytes, the range of the second byte that goes with it, and
+// the length; bytes from the third on are continuations.
+struct CharacterForm {
+  unsigned first_low;
+  unsigned first_high;
+  unsigned second_low;
+  unsigned second_high;
+  std::size_t length;
+};
+constexpr std::array<CharacterForm, 8> character_forms = {{{0xC2, 0xDF, 0x80, 0xBF, 2},
+                                                           {0xE0, 0xE0, 0xA0, 0xBF, 3},
+                                                           {0xE1, 0xEC, 0x80, 0xBF, 3},
+                                                           {0xED, 0xED, 0x80, 0x9F, 3},
+                                                           {0xEE, 0xEF, 0x80, 0xBF, 3},
+                                                           {0xF0, 0xF0, 0x90, 0xBF, 4},
+                                                           {0xF1, 0xF3, 0x80, 0xBF, 4},
+                                                           {0xF4, 0xF4, 0x80, 0x8F, 4}}};
+
+// The length of the character that starts at text[at], or 0 if there is none.
 std::size_t character_length(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const unsigned first = byte(at);
-  const unsigned second = byte(at + 1);
-  if (first < 0x80) return 1;
-  const auto in = [](unsigned value, unsigned low, unsigned high) { return low <= value && value <= high; };
-  if (in(first, 0xC2, 0xDF)) return in(second, 0x80, 0xBF) ? 2 : 0;
-  if (in(first, 0xE0, 0xEF)) {
-    const unsigned low = first == 0xE0 ? 0xA0 : 0x80;
-    const unsigned high = first == 0xED ? 0x9F : 0xBF;
-    return in(second, low, high) && in(byte(at + 2), 0x80, 0xBF) ? 3 : 0;
-  }
-  if (in(first, 0xF0, 0xF4)) {
-    const unsigned low = first == 0xF0 ? 0x90 : 0x80;
-    const unsigned high = first == 0xF4 ? 0x8F : 0xBF;
-    return in(second, low, high) && in(byte(at + 2), 0x80, 0xBF) && in(byte(at + 3), 0x80, 0xBF) ? 4 : 0;
+  if (byte(at) < 0x80) return 1;
+  for (const CharacterForm& form : character_forms) {
+    if (byte(at) < form.first_low || byte(at) > form.first_high) continue;
+    if (byte(at + 1) < form.second_low || byte(at + 1) > form.second_high) return 0;
+    const std::string_view rest = at + 2 < text.size() ? text.substr(at + 2, form.length - 2) : std::string_view();
+    return rest.size() == form.length - 2 && std::ranges::all_of(rest, is_continuation) ? form.length : 0;
   }
   return 0;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <fstream>
 #include <system_error>
+
 namespace shatterpave::scene {
 
 namespace {

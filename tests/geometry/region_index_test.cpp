@@ -97,7 +97,7 @@ TEST(Delaunay, GridHasFacesOfThreeOrFourCorners) {
       sides.push_back(spoke.neighbour);
     }
   }
-  std::ranges::rotate(sides, std::ranges::find(sides, 13U));
+  std::rotate(sides.begin(), std::ranges::find(sides, 13U), sides.end());
   EXPECT_EQ(sides, (std::vector<std::uint32_t>{13, 17, 11, 7}));
 }
 

@@ -5,8 +5,6 @@
 namespace shatterpave::glass {
 namespace {
 
-using geometry::LatticePoint;
-
 TEST(ContactGraph, KnowsWhatIsConnected) {
   ContactGraph graph;
   for (int i = 0; i < 6; ++i) EXPECT_EQ(graph.add(), i);

@@ -20,64 +20,64 @@ class Writing : public testing::Test {
   void SetUp() override {
     std::string pattern = (fs::temp_directory_path() / "write-test-XXXXXX").string();
     ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    root_ = pattern;
+    root = pattern;
   }
-  void TearDown() override { fs::remove_all(root_); }
+  void TearDown() override { fs::remove_all(root); }
 
   // All files below the folder, with their content.
   std::map<std::string, std::string> content() const {
     std::map<std::string, std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(root_)) {
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
       std::ifstream stream(entry.path(), std::ios::binary);
       std::ostringstream text;
       if (!entry.is_directory()) text << stream.rdbuf();
-      files[fs::relative(entry.path(), root_).string()] = entry.is_directory() ? "folder" : text.str();
+      files[fs::relative(entry.path(), root).string()] = entry.is_directory() ? "folder" : text.str();
     }
     return files;
   }
 
-  fs::path root_;
+  fs::path root;
 };
 
 using Files = std::map<std::string, std::string>;
 
 TEST_F(Writing, MakesFoldersAndReplacesFiles) {
-  const std::vector<fs::path> paths = written({{"a.txt", "1"}, {"b.txt", "2"}}, root_ / "x/y");
-  EXPECT_EQ(paths, (std::vector<fs::path>{root_ / "x/y/a.txt", root_ / "x/y/b.txt"}));
+  const std::vector<fs::path> paths = written({{"a.txt", "1"}, {"b.txt", "2"}}, root / "x/y");
+  EXPECT_EQ(paths, (std::vector<fs::path>{root / "x/y/a.txt", root / "x/y/b.txt"}));
   EXPECT_EQ(content(), (Files{{"x", "folder"}, {"x/y", "folder"}, {"x/y/a.txt", "1"}, {"x/y/b.txt", "2"}}));
-  written({{"b.txt", "3"}}, root_ / "x/y");
+  written({{"b.txt", "3"}}, root / "x/y");
   EXPECT_EQ(content(), (Files{{"x", "folder"}, {"x/y", "folder"}, {"x/y/a.txt", "1"}, {"x/y/b.txt", "3"}}));
 }
 
 TEST_F(Writing, InterruptedLeavesEverythingAsItWas) {
-  write_file(root_ / "a.txt", "old");
+  write_file(root / "a.txt", "old");
   const Files before = content();
   int asked = 0;
-  EXPECT_THROW(written({{"a.txt", "new"}, {"b.txt", "new"}}, root_, [&] { return ++asked == 2; }), Interrupted);
+  EXPECT_THROW(written({{"a.txt", "new"}, {"b.txt", "new"}}, root, [&] { return ++asked == 2; }), Interrupted);
   EXPECT_EQ(content(), before);
-  EXPECT_THROW(written({{"a.txt", "new"}}, root_ / "made/here", [] { return true; }), Interrupted);
+  EXPECT_THROW(written({{"a.txt", "new"}}, root / "made/here", [] { return true; }), Interrupted);
   EXPECT_EQ(content(), before);
 }
 
 TEST_F(Writing, FailureInTheMiddlePutsBackWhatWasThere) {
-  write_file(root_ / "a.txt", "old");
-  fs::create_directory(root_ / "c.txt");  // in the way of the third file
+  write_file(root / "a.txt", "old");
+  fs::create_directory(root / "c.txt");  // in the way of the third file
   const Files before = content();
-  EXPECT_THROW(written({{"a.txt", "new"}, {"b.txt", "new"}, {"c.txt", "new"}}, root_), InputError);
+  EXPECT_THROW(written({{"a.txt", "new"}, {"b.txt", "new"}, {"c.txt", "new"}}, root), InputError);
   EXPECT_EQ(content(), before);
 }
 
 TEST_F(Writing, FileInPlaceOfTheFolderIsWrongInput) {
-  write_file(root_ / "file", "x");
+  write_file(root / "file", "x");
   const Files before = content();
-  EXPECT_THROW(written({{"a.txt", "1"}}, root_ / "file"), InputError);
-  EXPECT_THROW(written({{"a.txt", "1"}}, root_ / "file/below"), InputError);
+  EXPECT_THROW(written({{"a.txt", "1"}}, root / "file"), InputError);
+  EXPECT_THROW(written({{"a.txt", "1"}}, root / "file/below"), InputError);
   EXPECT_EQ(content(), before);
 }
 
 TEST_F(Writing, FullDiskIsAnErrorOfTheSystem) {
   EXPECT_THROW(write_file("/dev/full", "x"), fs::filesystem_error);
-  EXPECT_THROW(write_file(root_ / "no/such/folder.txt", "x"), fs::filesystem_error);
+  EXPECT_THROW(write_file(root / "no/such/folder.txt", "x"), fs::filesystem_error);
 }
 
 }  // namespace

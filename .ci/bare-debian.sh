@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tries the two commands of the README where nothing is installed: a Debian 12 made by debootstrap, and in it a fresh clone of
-# what is committed here. Needs root and the package debootstrap; takes some 15 minutes.
+# what is committed here. Needs root and the package debootstrap; takes some 20 minutes.
 #   .ci/bare-debian.sh [FOLDER]   the new system, default /tmp/bare; one that is there already is used as it is
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
@@ -25,7 +25,7 @@ mountpoint -q "$target/proc" || mount -t proc proc "$target/proc"
 trap 'umount "$target/proc"' EXIT
 inside() { chroot "$target" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root "$@"; }
 
-inside "$project/render.sh" --quality draft
+inside "$project/render.sh"
 for ending in exr png; do
   found=$(find "$target$project/out" -name "*.$ending" | wc -l)
   ((found == 2)) || { echo "bare-debian.sh: expected two .$ending in out/, found $found" >&2; exit 1; }

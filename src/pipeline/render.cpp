@@ -51,9 +51,15 @@ class PovrayOutput {
       if (!line_.empty()) banner_.push_back(line_);
     } else if (line_.starts_with("Rendered ")) {
       show_progress();
-    } else if (!line_.empty() && !line_.starts_with("----") && line_ != "POV-Ray finished" && line_ != "Render failed") {
+    } else if (is_message()) {
       messages_.push_back(line_);
     }
+  }
+
+  // Not the frame of the output, nor "Parsing 1024K tokens", the progress of parsing.
+  bool is_message() const {
+    const bool parsing = line_.starts_with("Parsing ") && line_.ends_with("K tokens");
+    return !line_.empty() && !parsing && !line_.starts_with("----") && line_ != "POV-Ray finished" && line_ != "Render failed";
   }
 
   // Rendered 1024 of 1080000 pixels (0%)

@@ -199,8 +199,9 @@ class FailingRenderer : public Command {
 };
 
 TEST_F(FailingRenderer, EndsWithThreeAndItsOwnMessage) {
-  const Outcome parse =
-      render_with("echo '==== [Parsing...] ====' >&2; echo \"File 'still.pov' line 3: Parse Error: No.\" >&2; exit 1\n");
+  const Outcome parse = render_with(
+      "echo '==== [Parsing...] ====' >&2; echo 'Parsing 1024K tokens' >&2;"
+      "echo \"File 'still.pov' line 3: Parse Error: No.\" >&2; exit 1\n");
   EXPECT_EQ(parse.status, 3);
   EXPECT_EQ(parse.err, "POV-Ray failed with status 1:\nFile 'still.pov' line 3: Parse Error: No.\n");
   const Outcome crash = render_with("kill -SEGV $$\n");

@@ -12,7 +12,7 @@ Usage: render.sh [OPTION…] [SCENE.toml …]
 Installs the Debian packages that are missing, builds shatterpave once, and renders each scene to OUTPUT/SCENE/ as a
 linear EXR and a PNG. Without a scene: the two of the gallery, a shattered window and a stone path.
 
-  --quality draft|final  draft is quick and small
+  --quality draft|final  draft, which is quick and small, if not given
   --size WxH             size of the picture in pixels
   --seed N               seed in place of the scene's
   --output DIR           where the pictures go (default: out/ beside this script)

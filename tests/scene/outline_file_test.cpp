@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scene/read_scene.h"
+#include "support/shared_data.h"
 
 namespace shatterpave::scene {
 namespace {
@@ -90,8 +91,8 @@ TEST(GeoJson, ProjectsDegreesToLocalMillimetres) {
 
 // The plazas' own description states their areas, to 2 % of what the ellipsoid gives.
 TEST(GeoJson, ReadsTheRealPlazas) {
-  const std::filesystem::path folder = "/work/shared/data/plazas";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the shared plazas are not on this machine";
+  SKIP_WITHOUT_SHARED_DATA();
+  const std::filesystem::path folder = support::shared_data() / "plazas";
   const auto expect = [&](const char* name, double area_m2, std::size_t holes) {
     const Region region = outline_of_file(folder / name, {});
     EXPECT_NEAR(geometry::area(region) * 1e-6, area_m2, 0.02 * area_m2) << name;

@@ -1,0 +1,159 @@
+#include "measure/pane_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "measure/crossings.h"
+#include "measure/experiment.h"
+#include "measure/tracking.h"
+
+namespace shatterpave::measure {
+
+namespace {
+
+using glass::Crack;
+using glass::CrackEnd;
+using glass::CrackKind;
+
+double distance_to_side(vec2 point, vec2 from, vec2 to) {
+  const vec2 along = to - from;
+  const double length2 = glm::dot(along, along);
+  const double share = length2 > 0.0 ? std::clamp(glm::dot(point - from, along) / length2, 0.0, 1.0) : 0.0;
+  return glm::length(point - from - share * along);
+}
+
+struct NearestSide {
+  vec2 along{1.0, 0.0};
+  double distance_mm = std::numeric_limits<double>::infinity();
+};
+
+// Of equally near sides the first.
+NearestSide nearest_side(vec2 point, const geometry::Polygon& outline) {
+  NearestSide nearest;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const vec2 to = outline[i + 1 < outline.size() ? i + 1 : 0];
+    const double distance = distance_to_side(point, outline[i], to);
+    if (distance < nearest.distance_mm) nearest = {to - outline[i], distance};
+  }
+  return nearest;
+}
+
+void count_end(const CrackEnd& end, EndCounts& counts) {
+  switch (end.at) {
+    case CrackEnd::At::edge:
+      ++counts.edge;
+      return;
+    case CrackEnd::At::crack:
+      ++counts.crack;
+      return;
+    case CrackEnd::At::enclosed:
+      ++counts.enclosed;
+      return;
+    case CrackEnd::At::impact:
+    case CrackEnd::At::ring:
+    case CrackEnd::At::open:
+      ++counts.open;
+      return;
+  }
+}
+
+bool held(const CrackEnd& end, const glass::CrackNetwork& network) {
+  if (end.at == CrackEnd::At::edge) return true;
+  return end.at == CrackEnd::At::crack && network.cracks[static_cast<std::size_t>(*end.crack)].kind != CrackKind::circular;
+}
+
+// The two arms of a ring crack, one after the other, share their starting point, which counts once.
+void add_ring_distances(const Crack& crack, bool second_arm, vec2 impact_mm, std::vector<double>& distances) {
+  const std::vector<vec2> points = tracked(crack.points_mm);
+  for (std::size_t i = second_arm ? 1 : 0; i < points.size(); ++i) distances.push_back(glm::length(points[i] - impact_mm));
+}
+
+bool is_second_arm(std::span<const Crack> cracks, std::size_t i) {
+  return i > 0 && cracks[i].kind == CrackKind::circular && cracks[i - 1].kind == CrackKind::circular &&
+         cracks[i].impact == cracks[i - 1].impact && cracks[i].points_mm.front() == cracks[i - 1].points_mm.front();
+}
+
+std::optional<double> radial_spread(const glass::CrackNetwork& network, int impact, const geometry::Polygon& outline) {
+  const glass::ImpactCounts& drawn = network.impacts[static_cast<std::size_t>(impact)];
+  const double radius = spread_radius_mm(drawn.radial_count);
+  // Where the circle leaves the pane, the edge makes gaps.
+  if (nearest_side(drawn.at_mm, outline).distance_mm < radius) return std::nullopt;
+  std::vector<Angle> directions = radial_directions(network, impact, radius);
+  if (directions.size() < 3) return std::nullopt;
+  return gap_ratio(std::move(directions));
+}
+
+}  // namespace
+
+PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pane) {
+  PaneMeasures result;
+  for (const glass::ImpactCounts& impact : network.impacts) result.impacts.emplace_back().drawn = impact;
+  for (std::size_t i = 0; i < network.cracks.size(); ++i) {
+    const Crack& crack = network.cracks[i];
+    ImpactMeasures& of_impact = result.impacts[static_cast<std::size_t>(crack.impact)];
+    count_end(crack.end, of_impact.ends);
+    if (crack.end.at == CrackEnd::At::edge) of_impact.edge_angles.push_back(edge_angle(crack, pane.outline_mm));
+    if (crack.kind == CrackKind::circular) {
+      ++of_impact.ring_crack_count;
+      if (held(crack.end, network)) ++of_impact.held_ring_end_count;
+      add_ring_distances(crack, is_second_arm(network.cracks, i), of_impact.drawn.at_mm, of_impact.ring_distances_mm);
+      continue;
+    }
+    if (crack.end.at == CrackEnd::At::edge) ++of_impact.reaching_count;
+    if (crack.kind != CrackKind::large) continue;
+    const std::vector<Angle> more = turns(tracked(crack.points_mm));
+    of_impact.turns.insert(of_impact.turns.end(), more.begin(), more.end());
+  }
+  for (std::size_t i = 0; i < result.impacts.size(); ++i) {
+    result.impacts[i].gap_ratio = radial_spread(network, static_cast<int>(i), pane.outline_mm);
+  }
+  const auto impact_of = [&](int crack) { return network.cracks[static_cast<std::size_t>(crack)].impact; };
+  for (const Crossing& crossing : crossings(network)) {
+    const int later = std::max(impact_of(crossing.crack), impact_of(crossing.other));
+    ++result.impacts[static_cast<std::size_t>(later)].crossing_count;
+  }
+  return result;
+}
+
+Angle edge_angle(const Crack& crack, const geometry::Polygon& outline_mm) {
+  const std::vector<vec2> backwards(crack.points_mm.rbegin(), crack.points_mm.rend());
+  // The first feature point of the line run backwards; only what lies within a chord of the tip and the segment out is looked
+  // at.
+  const auto out = std::ranges::find_if(backwards, [&](vec2 p) { return glm::length(p - backwards.front()) >= chord_mm; });
+  const std::vector<vec2> points =
+      tracked(std::span(backwards).first(static_cast<std::size_t>(std::min(out + 1, backwards.end()) - backwards.begin())));
+  const vec2 chord = backwards.front() - (points.size() > 1 ? points[1] : backwards.back());
+  const vec2 side = nearest_side(backwards.front(), outline_mm).along;
+  return Angle::radians(arctangent(std::abs(cross(side, chord)), std::abs(glm::dot(side, chord))));
+}
+
+double gap_ratio(std::vector<Angle> directions) {
+  std::ranges::sort(directions);
+  const double count = static_cast<double>(directions.size());
+  const double mean = 2.0 * pi / count;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const bool last = i + 1 == directions.size();
+    const double gap = (directions[last ? 0 : i + 1] - directions[i]).radians() + (last ? 2.0 * pi : 0.0);
+    squares += (gap - mean) * (gap - mean);
+  }
+  return squares / count / (mean * mean) * (count + 1.0) / (count - 1.0);
+}
+
+std::vector<Angle> radial_directions(const glass::CrackNetwork& network, int impact, double radius_mm) {
+  const vec2 centre = network.impacts[static_cast<std::size_t>(impact)].at_mm;
+  std::vector<Angle> directions;
+  for (const Crack& crack : network.cracks) {
+    if (crack.impact != impact || crack.kind == CrackKind::circular) continue;
+    const auto out = std::ranges::find_if(crack.points_mm, [&](vec2 p) { return glm::length(p - centre) >= radius_mm; });
+    if (out == crack.points_mm.begin() || out == crack.points_mm.end()) continue;
+    directions.push_back(Angle::of(way_out(centre, radius_mm, *(out - 1), *out) - centre));
+  }
+  return directions;
+}
+
+double spread_radius_mm(int radial_count) { return greatest_ring_ratio * experiment_ring_radius_mm(radial_count); }
+
+}  // namespace shatterpave::measure

@@ -1,0 +1,65 @@
+// What is measured on one broken pane, as Agui et al. 1992, §3.1, measured photographs of theirs.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/angle.h"
+#include "glass/network.h"
+#include "glass/pane.h"
+
+namespace shatterpave::measure {
+
+// How many cracks ended where (glass::CrackEnd).
+struct EndCounts {
+  int edge = 0;
+  int crack = 0;
+  int enclosed = 0;
+  int open = 0;
+
+  bool operator==(const EndCounts&) const = default;
+};
+
+// Of one impact: what was drawn for it (M, N and R), and what its cracks measure.
+struct ImpactMeasures {
+  glass::ImpactCounts drawn;
+  int reaching_count = 0;                 // radial cracks that end on the edge: the paper's N, as it counted it
+  EndCounts ends;                         // of all cracks
+  int ring_crack_count = 0;               // ring cracks, two to a starting point
+  int held_ring_end_count = 0;            // of them those that end on a radial crack or on the edge
+  std::vector<double> ring_distances_mm;  // d_i (Fig. 4): of each feature point of the ring cracks from the impact
+  std::vector<Angle> turns;               // θ_i (Fig. 3) along the large cracks
+  std::vector<Angle> edge_angles;         // of each crack that ends on the edge, in its order: see edge_angle
+  std::optional<double> gap_ratio;        // of the radials beyond the ring: see gap_ratio
+  int crossing_count = 0;                 // crossings with cracks of this impact and of earlier ones; must be 0
+
+  bool operator==(const ImpactMeasures&) const = default;
+};
+
+struct PaneMeasures {
+  std::vector<ImpactMeasures> impacts;  // in the order of the pane
+
+  bool operator==(const PaneMeasures&) const = default;
+};
+
+// `network` is what grew in `pane`. Some 0.3 ms for a pane with M = 105.
+PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pane);
+
+// The angle, 0 … 90°, between the side of the outline on which `crack` ends and the last chord of the crack, which runs from
+// the last point on it that is a chord (measure/tracking.h) away from the tip as the crow flies, or from its start, to the tip.
+Angle edge_angle(const glass::Crack& crack, const geometry::Polygon& outline_mm);
+
+// How evenly n >= 3 directions are spread: the variance of the gaps between neighbours, in units of that of as many directions
+// drawn at random. 0: all gaps alike; 1: as if random; above 1: bundled. (With uniform directions the gaps follow a Dirichlet
+// law, whose squared coefficient of variation is (n − 1)/(n + 1).)
+double gap_ratio(std::vector<Angle> directions);
+
+// Where the radial cracks of `impact` first come to be `radius_mm` away from it, as directions from it. Cracks that never do
+// are left out.
+std::vector<Angle> radial_directions(const glass::CrackNetwork& network, int impact, double radius_mm);
+
+// The circle on which the spread of the radials is measured (rule 7 of §3.2): just beyond where rings lie, 1.3 (eq. 8) times
+// the mean radius of M (eq. 2).
+double spread_radius_mm(int radial_count);
+
+}  // namespace shatterpave::measure

@@ -1,0 +1,81 @@
+// What many panes measure together, held against the measured panes of Agui et al. 1992.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "measure/distribution.h"
+#include "measure/line.h"
+#include "measure/pane_measures.h"
+
+namespace shatterpave::measure {
+
+enum class Verdict {
+  holds,
+  fails,
+  open,  // nothing was measured, or the standard error is more than half of the tolerance
+};
+
+// One figure and the range in which it is wanted.
+struct Finding {
+  std::string_view id;        // fixed: scripts may look for it
+  std::string_view quantity;  // what it is, in words
+  std::string_view unit;      // "mm", "°", "%", or empty
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  double figure = 0.0;
+  double error = 0.0;        // standard error; 0 where it is not told
+  std::size_t count = 0;     // of what the figure was made
+  std::string_view counted;  // what they are: "panes", "turns" …
+  Verdict verdict = Verdict::open;
+
+  bool operator==(const Finding&) const = default;
+};
+
+// The figures against the measured panes are of each pane's first impact: the cracks of later ones stop at earlier ones, and no
+// pane of the paper was hit twice. Crossings are those of all impacts.
+struct Summary {
+  Distribution radial_count;                                       // M as drawn
+  Line large_line;                                                 // N that reach the edge, against M
+  Line ring_line;                                                  // d_ave of panes with ring cracks, mm, against M
+  Distribution ring_offset_mm;                                     // of d_ave from eq. 2
+  Distribution ring_ratio;                                         // d_i / (d_ave of eq. 2)
+  Histogram ring_ratios{0.0, 0.05, std::vector<std::size_t>(40)};  // 0 … 2
+  Distribution turn_deg;                                           // θ
+  Histogram turns_deg{-45.0, 1.25, std::vector<std::size_t>(72)};  // ±45°, so that cells end at −22.5° and 27.5°
+  Distribution edge_angle_deg;
+  Histogram edge_angles_deg{0.0, 2.5, std::vector<std::size_t>(36)};  // 0 … 90°
+  Distribution gap_ratio;
+  EndCounts ends;
+  std::vector<Finding> findings;
+};
+
+// Adds panes up, one after another. The result depends on their order, in the last bits.
+class Totals {
+ public:
+  void add(const PaneMeasures& pane);
+  // Of all panes so far.
+  Summary summary() const;
+
+ private:
+  void add_rings(const ImpactMeasures& impact);
+  void add_turns(const ImpactMeasures& impact);
+
+  Summary sums_;  // but its lines and findings
+  std::vector<vec2> large_points_;
+  std::vector<vec2> ring_points_;
+  std::size_t turns_in_range_ = 0;
+  std::size_t left_turns_ = 0;  // counter-clockwise
+  std::size_t ring_ends_ = 0;
+  std::size_t held_ring_ends_ = 0;
+  std::size_t square_edge_angles_ = 0;
+  std::size_t crossings_ = 0;
+  std::size_t impacts_ = 0;
+};
+
+// The finding with that id, which must be one of them.
+const Finding& finding(const Summary& summary, std::string_view id);
+
+}  // namespace shatterpave::measure

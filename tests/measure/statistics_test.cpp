@@ -1,0 +1,122 @@
+// Generated panes against the measured ones of Agui et al. 1992, as `measure` holds them against each other. Seeds are fixed.
+// Beside each finding stands a twin, a model with one thing wrong, of which the finding must say so.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "core/parallel.h"
+#include "glass/growth.h"
+#include "measure/summary.h"
+
+namespace shatterpave::measure {
+namespace {
+
+using Change = std::function<void(glass::CrackNetwork&)>;
+
+// Panes of M = 24 … 195, evenly, as the paper broke them; each changed after it grew.
+Summary summary_of(int count, const glass::Growth& growth, const Change& change = {}) {
+  std::vector<PaneMeasures> measures(static_cast<std::size_t>(count));
+  parallel_for(measures.size(), [&](std::size_t i) {
+    glass::Pane pane;
+    pane.name = "window";
+    pane.outline_mm = {{0.0, 0.0}, {300.0, 0.0}, {300.0, 300.0}, {0.0, 300.0}};
+    pane.growth = growth;
+    glass::Impact impact;
+    impact.at_mm = {150.0, 150.0};
+    impact.radial_count = 24 + static_cast<int>(171 * i / (measures.size() - 1));
+    pane.impacts = {impact};
+    glass::CrackNetwork network = glass::grown_cracks(pane, 100 + i);
+    if (change) change(network);
+    measures[i] = measured(network, pane);
+  });
+  Totals totals;
+  for (const PaneMeasures& pane : measures) totals.add(pane);
+  return totals.summary();
+}
+
+Verdict verdict(const Summary& summary, std::string_view id) { return finding(summary, id).verdict; }
+
+// Of 200 panes by the model as it is.
+const Summary& model() {
+  static const Summary summary = summary_of(200, {});
+  return summary;
+}
+
+TEST(PaneStatistics, EveryFindingHolds) {
+  for (const Finding& finding : model().findings) {
+    EXPECT_EQ(finding.verdict, Verdict::holds) << finding.id << ": " << finding.figure << " ± " << finding.error << ", wanted "
+                                               << finding.low << " … " << finding.high;
+    EXPECT_GT(finding.count, 100U) << finding.id;
+  }
+}
+
+TEST(PaneStatistics, LargeCracksThatAreTooManyOrCutOffAreFound) {
+  glass::Growth steep;
+  steep.large_slope = 0.0706;  // in the misprint's direction
+  EXPECT_EQ(verdict(summary_of(100, steep), "large_slope"), Verdict::fails);
+  glass::Growth early;
+  early.ring_onset = 0.0;  // rings that start at once cut large cracks off
+  const Summary cut_off = summary_of(100, early);
+  EXPECT_EQ(verdict(cut_off, "large_slope"), Verdict::fails);
+  glass::Growth many;
+  many.large_offset += 1.5;
+  EXPECT_EQ(verdict(summary_of(100, many), "large_intercept"), Verdict::fails);
+}
+
+TEST(PaneStatistics, CrookedCracksAreFound) {
+  glass::Growth crooked;
+  crooked.wander = crooked.wander * 5.0;
+  crooked.turn_limit = Angle::degrees(90.0);
+  EXPECT_EQ(verdict(summary_of(20, crooked), "turns_in_range"), Verdict::fails);
+}
+
+TEST(PaneStatistics, CracksThatDoNotSeeTheEdgeAreFound) {
+  glass::Growth blind;
+  blind.edge_gain = 0.0;
+  EXPECT_EQ(verdict(summary_of(40, blind), "edge_angles"), Verdict::fails);
+}
+
+TEST(PaneStatistics, RingsOfAnotherRadiusAreFound) {
+  glass::Growth wide;
+  wide.ring_radius_offset_mm += 8.0;
+  EXPECT_EQ(verdict(summary_of(60, wide), "ring_radius"), Verdict::fails);
+  // Right on the whole, but too small for few cracks and too large for many.
+  glass::Growth steep;
+  steep.ring_radius_slope_mm = 0.57;
+  steep.ring_radius_offset_mm = 0.6;
+  const Summary summary = summary_of(100, steep);
+  EXPECT_EQ(verdict(summary, "ring_radius"), Verdict::holds);
+  EXPECT_EQ(verdict(summary, "ring_radius_line"), Verdict::fails);
+}
+
+// Turns each radial about its impact, so that all of them run in six bundles, each as wide as a third of its sixth of the
+// circle.
+void bundle(glass::CrackNetwork& network) {
+  const Angle sixth = Angle::degrees(60.0);
+  for (glass::Crack& crack : network.cracks) {
+    if (crack.kind == glass::CrackKind::circular) continue;
+    const vec2 centre = crack.points_mm.front();
+    const Angle direction = Angle::of(crack.points_mm.back() - centre);
+    const Angle nearest = sixth * std::round(direction.degrees() / sixth.degrees());
+    const Angle turn = (nearest - direction) * (2.0 / 3.0);
+    for (vec2& p : crack.points_mm) p = centre + rotated(p - centre, turn);
+  }
+}
+
+TEST(PaneStatistics, BundledRadialsAreFound) { EXPECT_EQ(verdict(summary_of(60, {}, bundle), "radial_gaps"), Verdict::fails); }
+
+// "Larger V1 gives straighter large cracks" (§4.3, Fig. 14).
+TEST(PaneStatistics, FastLargeCracksAreStraighter) {
+  const auto spread = [](double speed) {
+    glass::Growth growth;
+    growth.large_speed = speed;
+    return summary_of(20, growth).turn_deg.deviation();
+  };
+  EXPECT_GT(spread(30.0), 1.1 * spread(60.0));
+}
+
+}  // namespace
+}  // namespace shatterpave::measure

@@ -74,9 +74,18 @@ double share_of_way(LatticePoint from, LatticePoint to, const Segment& segment) 
   return std::clamp(share, 0.0, 1.0);
 }
 
-double distance_to_line(LatticePoint p, const Segment& segment) {
-  const vec2 along = geometry::to_mm(segment.b) - geometry::to_mm(segment.a);
-  return std::abs(cross(geometry::to_mm(p) - geometry::to_mm(segment.a), along)) / glm::length(along);
+// Whether the point is at most one unit of the lattice from the segment.
+bool is_beside(LatticePoint p, const Segment& segment) {
+  __extension__ using Wide = __int128;
+  const auto dot = [](LatticePoint o, LatticePoint u, LatticePoint v) {
+    return static_cast<Wide>(u.x - o.x) * (v.x - o.x) + static_cast<Wide>(u.y - o.y) * (v.y - o.y);
+  };
+  const Wide length = dot(segment.a, segment.b, segment.b);
+  const Wide along = dot(segment.a, segment.b, p);
+  const Wide distance = dot(segment.a, p, p);
+  if (along < 0) return distance <= 1;
+  if (along > length) return dot(segment.b, p, p) <= 1;
+  return distance * length - along * along <= length;
 }
 
 std::vector<int> distinct(std::vector<int> numbers) {
@@ -121,6 +130,7 @@ CrackMap::Hub CrackMap::add_hub(LatticePoint at) {
   const int node = graph_.add();
   crack_of_node_.push_back(-1);
   hubs_.push_back({at, node});
+  hub_places_.insert(at);
   std::vector<int> through;
   index_.visit_near(at, at, [&](int number) {
     const Segment& segment = index_.segment(number);
@@ -134,11 +144,13 @@ CrackMap::Hub CrackMap::add_hub(LatticePoint at) {
   return static_cast<Hub>(hubs_.size()) - 1;
 }
 
-bool CrackMap::is_taken(LatticePoint at) const {
+bool CrackMap::is_taken(LatticePoint at) const { return hub_places_.contains(at) || is_taken(at, -1); }
+
+bool CrackMap::is_taken(LatticePoint at, int except) const {
   bool taken = false;
   index_.visit_near(at, at, [&](int number) {
     const Segment& segment = index_.segment(number);
-    taken = taken || geometry::on_segment(segment.a, segment.b, at);
+    taken = taken || (number != except && geometry::on_segment(segment.a, segment.b, at));
   });
   return taken;
 }
@@ -201,12 +213,13 @@ bool CrackMap::can_join(LatticePoint from, LatticePoint joint, int met) const {
   const Segment& segment = index_.segment(met);
   if (from != joint && !is_free(from, joint, met)) return false;
   if (is_edge(met)) {
-    const double one_unit = 1.0 / geometry::lattice_per_mm;
-    return distance_to_line(joint, segment) <= one_unit && geometry::contains(outline_, geometry::to_mm(joint));
+    return within(from, joint, segment) && is_beside(joint, segment) && geometry::contains(outline_, geometry::to_mm(joint));
   }
   if (joint == segment.a || joint == segment.b) return from == joint || apart(from, joint, segment);
+  // The crack that was met is not to run through another one's vertex, nor to go on beyond the edge.
+  if (from != joint && is_taken(joint, met)) return false;
   if (from != joint && (overlap(joint, from, segment.a) || overlap(joint, from, segment.b))) return false;
-  return is_free(segment.a, joint, met) && is_free(joint, segment.b, met);
+  return !overlap(joint, segment.a, segment.b) && is_free(segment.a, joint, met) && is_free(joint, segment.b, met);
 }
 
 std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to) {
@@ -222,9 +235,10 @@ std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to) {
   const vec2 start{static_cast<double>(from.x), static_cast<double>(from.y)};
   const vec2 way{static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)};
   for (const Hit& hit : in_the_way) {
-    const bool has_length = record(crack).points.size() > 1;
+    // To end where it is, it must have a length, and meet more than its own last piece.
+    const bool can_stay = !record(crack).segments.empty() && record(crack).segments.back() != hit.segment;
     for (const LatticePoint joint : candidate_joints(start + hit.share * way, index_.segment(hit.segment))) {
-      if ((joint != from || has_length) && can_join(from, joint, hit.segment)) return join(crack, joint, hit.segment);
+      if ((joint != from || can_stay) && can_join(from, joint, hit.segment)) return join(crack, joint, hit.segment);
     }
   }
   // Nothing about can be moved by a lattice unit: the crack ends short of what it was to meet.

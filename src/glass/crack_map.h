@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -32,7 +33,7 @@ class CrackMap {
 
   // A place for cracks to start at, not on the edge. Where it lies on a crack, that crack gets a vertex there.
   Hub add_hub(geometry::LatticePoint at);
-  // Whether the point lies on a crack or on the edge.
+  // Whether the point lies on a crack or on the edge, or is a place at which cracks start.
   bool is_taken(geometry::LatticePoint at) const;
   // Whether the straight way meets the edge, or a crack of an impact before `impact`.
   bool is_barred(geometry::LatticePoint from, geometry::LatticePoint to, int impact) const;
@@ -77,6 +78,7 @@ class CrackMap {
   const Record& record(int crack) const { return cracks_[static_cast<std::size_t>(crack)]; }
   Record& record(int crack) { return cracks_[static_cast<std::size_t>(crack)]; }
   bool is_edge(int segment) const;
+  bool is_taken(geometry::LatticePoint at, int except) const;
 
   std::vector<Hit> hits(geometry::LatticePoint from, geometry::LatticePoint to) const;
   bool is_free(geometry::LatticePoint from, geometry::LatticePoint to, int except) const;
@@ -92,6 +94,7 @@ class CrackMap {
   ContactGraph graph_;
   std::vector<Record> cracks_;
   std::vector<HubRecord> hubs_;
+  std::set<geometry::LatticePoint> hub_places_;
   std::vector<int> crack_of_node_;  // −1 for a hub
 };
 

@@ -1,4 +1,4 @@
-// What every crack network must hold, checked the slow way: all pairs, no index.
+// What every crack network must hold, checked the slow way, from the polylines alone.
 #pragma once
 
 #include <string>
@@ -9,8 +9,16 @@
 
 namespace shatterpave::glass {
 
-// One line for each promise of glass/network.h and glass/growth.h that the network breaks; empty if it is sound.
+// One line for each promise of glass/network.h and glass/growth.h that the network breaks; empty if it is sound:
+// - cracks lie on the lattice and in the pane; one that meets the edge ends there;
+// - two cracks have no stretch in common, do not cross, and meet only where one of them starts or ends;
+// - each starts and ends where its record says.
 std::vector<std::string> faults(const CrackNetwork& network, const geometry::Polygon& outline);
+
+// The same for the second stop rule (§4.2.3 (2)), of a sound network:
+// - a crack that stopped `enclosed` is no ring crack, and cracks that existed then surround its tip;
+// - no crack but of rings is `open` where cracks surround it, unless those of earlier impacts surrounded its start already.
+std::vector<std::string> enclosure_faults(const CrackNetwork& network);
 
 // The number of proper crossings of two pieces of cracks, of one crack with itself too.
 int crossings(const CrackNetwork& network);

@@ -27,6 +27,8 @@ enum class Stream : std::uint32_t {
   stone_relief = 25,    // place of a stone in the relief
   relief_lattice = 26,  // gradients of the fractal surface
   stone_tilt = 27,
+  ashlar_size = 28,  // size of the stone at a module of random ashlar
+  crazy_seed = 29,   // seed of a stone of crazy paving
   debris = 40,  // crushed zone and other litter about an impact
 };
 

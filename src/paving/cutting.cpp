@@ -57,16 +57,16 @@ std::vector<Polygon> without_holes(const Region& region) {
   return parts;
 }
 
-std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const Pavement& pavement, const RegionIndex& area) {
+std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const Region& region, const RegionIndex& index) {
   Polygon whole = geometry::cleaned(cells.outline(cell));
   if (whole.empty()) return {};
-  if (!area.border_meets(geometry::bounding_box(whole))) {
-    if (!area.contains(whole.front())) return {};
+  if (!index.border_meets(geometry::bounding_box(whole))) {
+    if (!index.contains(whole.front())) return {};
     return {{std::move(whole), cell, false}};
   }
   std::vector<Piece> pieces;
   const double full = geometry::area(whole);
-  for (const Region& part : geometry::intersection(whole, pavement.area)) {
+  for (const Region& part : geometry::intersection(whole, region)) {
     if (geometry::area(part) < least_scrap * full) continue;
     for (Polygon& outline : without_holes(part)) {
       const bool cut = outline.size() != whole.size() || geometry::area(outline) < whole_share * full;
@@ -172,8 +172,8 @@ std::optional<Polygon> joined(const Polygon& a, const Polygon& b) {
 // Joins small pieces to neighbours, smallest first.
 class Joiner {
  public:
-  Joiner(std::vector<Piece>& pieces, const Cells& cells, const Pavement& pavement)
-      : pieces_(pieces), cells_(cells), stone_area_(pavement.stone_mm.x * pavement.stone_mm.y), joint_mm_(pavement.joint_mm) {
+  Joiner(std::vector<Piece>& pieces, const Cells& cells, const StoneSize& size)
+      : pieces_(pieces), cells_(cells), stone_area_(size.whole_face_mm2), joint_mm_(size.joint_mm) {
     of_cell_.resize(cells.count());
     cells_of_.resize(pieces.size());
     for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -310,15 +310,15 @@ std::vector<Polygon> faces_of(const Polygon& piece, double joint_mm) {
   return faces;
 }
 
-std::vector<Piece> pieces_within(const Cells& cells, const Pavement& pavement, const RegionIndex& area) {
+std::vector<Piece> pieces_within(const Cells& cells, const Region& region, const RegionIndex& index, const StoneSize& size) {
   std::vector<std::vector<Piece>> of_cell(cells.count());
   parallel_for(cells.count(), [&](std::size_t cell) {
-    of_cell[cell] = pieces_of_cell(cells, static_cast<std::uint32_t>(cell), pavement, area);
+    of_cell[cell] = pieces_of_cell(cells, static_cast<std::uint32_t>(cell), region, index);
   });
   std::vector<Piece> pieces;
   for (auto& some : of_cell) std::ranges::move(some, std::back_inserter(pieces));
   of_cell.clear();
-  Joiner(pieces, cells, pavement).join_small();
+  Joiner(pieces, cells, size).join_small();
   return pieces;
 }
 

@@ -21,8 +21,15 @@ struct Piece {
   bool cut = false;              // the outline or a hole took part of it, or it was joined
 };
 
-// The pieces of the cells within the area of the pavement, none small that has a neighbour.
-std::vector<Piece> pieces_within(const Cells& cells, const Pavement& pavement, const geometry::RegionIndex& area);
+// What the rule of the smallest piece needs to know of the stones.
+struct StoneSize {
+  double whole_face_mm2 = 0.0;
+  double joint_mm = 0.0;
+};
+
+// The pieces of the cells within `region`, of which `index` is made; none small that has a neighbour.
+std::vector<Piece> pieces_within(const Cells& cells, const geometry::Region& region, const geometry::RegionIndex& index,
+                                 const StoneSize& size);
 
 // The piece's face: its outline moved in by half the joint. Empty if nothing is left; several where it falls apart.
 std::vector<geometry::Polygon> faces_of(const geometry::Polygon& piece, double joint_mm);

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "paving/bond.h"
 #include "paving/cells.h"
 #include "paving/cutting.h"
 #include "paving/packing.h"
@@ -33,6 +36,27 @@ double expected_stones(const Pavement& pavement, const geometry::RegionIndex& ar
 
 Place place_of(const Pavement& pavement) { return {{}, 0, 0, fmt::format("pavement '{}'", pavement.name)}; }
 
+// What some bonds ask of the shape of their stones.
+void check_shape(const Pavement& pavement, const Place& place) {
+  const vec2 stone = pavement.stone_mm;
+  const Bond bond = pavement.bonding.bond;
+  if ((bond == Bond::herringbone || bond == Bond::basket_weave) && stone.x < stone.y) {
+    throw InputError(
+        place, fmt::format("stone_mm: expected stones at least as long as wide for this bond, got [{}, {}]", stone.x, stone.y));
+  }
+  if (bond != Bond::segmental_arc && bond != Bond::fan) return;
+  // With deeper ones perpends, which fan out, would meet.
+  if (stone.y > 2.0 * stone.x || stone.x > 2.0 * stone.y) {
+    throw InputError(place, fmt::format("stone_mm: expected stones at most twice as long as wide for this bond, got [{}, {}]",
+                                        stone.x, stone.y));
+  }
+  const double least = 5.0 * (std::max(stone.x, stone.y) + pavement.joint_mm);
+  if (pavement.bonding.span_mm != 0.0 && pavement.bonding.span_mm < least) {
+    throw InputError(
+        place, fmt::format("bond_span_mm: expected 0, or at least {} (five stones), got {}", least, pavement.bonding.span_mm));
+  }
+}
+
 void check(const Pavement& pavement) {
   const Place place = place_of(pavement);
   const auto bad = [](double mm, double least) { return !(mm >= least && mm <= geometry::largest_coordinate_mm); };
@@ -42,18 +66,49 @@ void check(const Pavement& pavement) {
   }
   if (bad(pavement.joint_mm, 0.0))
     throw InputError(place, fmt::format("joint_mm: expected 0 or more, got {}", pavement.joint_mm));
+  const Bonding& bonding = pavement.bonding;
+  if (!(bonding.offset >= 0.0 && bonding.offset <= 1.0)) {
+    throw InputError(place, fmt::format("bond_offset: expected 0 to 1, got {}", bonding.offset));
+  }
+  if (bad(bonding.span_mm, 0.0))
+    throw InputError(place, fmt::format("bond_span_mm: expected 0 or more, got {}", bonding.span_mm));
+  check_shape(pavement, place);
   if (pavement.area.outline.size() < 3 || geometry::area(pavement.area.outline) == 0.0) {
     throw InputError(place, "outline: expected a polygon with an area");
   }
 }
 
 // The faces of a piece that are laid: those large enough, or else the largest.
-std::vector<geometry::Polygon> laid_faces(const Piece& piece, const Pavement& pavement) {
-  auto faces = faces_of(piece.outline_mm, pavement.joint_mm);
+std::vector<geometry::Polygon> laid_faces(const Piece& piece, const StoneSize& size) {
+  auto faces = faces_of(piece.outline_mm, size.joint_mm);
   std::ranges::stable_sort(faces, [](const auto& a, const auto& b) { return geometry::area(a) > geometry::area(b); });
-  const double least = least_piece * pavement.stone_mm.x * pavement.stone_mm.y;
+  const double least = least_piece * size.whole_face_mm2;
   while (faces.size() > 1 && geometry::area(faces.back()) < least) faces.pop_back();
   return faces;
+}
+
+// What is to be laid: cells over all of the area, and the direction of each cell's stone.
+struct Setting {
+  Cells cells;
+  std::function<Angle(const Piece&, const geometry::Polygon& face)> angle;
+};
+
+Setting packed_setting(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed) {
+  const auto field = std::make_shared<const DirectionField>(pavement, area);
+  const auto particles = packed_particles(pavement, area, *field, seed);
+  Cells cells = cells_of(particles, pitch_mm(pavement));
+  const bool exact = std::holds_alternative<ConstantDirection>(pavement.direction);
+  if (!exact) cells = settled_cells(std::move(cells), particles, pitch_mm(pavement), area);
+  return {std::move(cells),
+          [field](const Piece&, const geometry::Polygon& face) { return field->angle(geometry::centroid(face)); }};
+}
+
+Setting bonded_setting(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed) {
+  const std::vector<Tile> tiles = bond_tiles(pavement, area, seed);
+  std::vector<Angle> angles;
+  for (const Tile& tile : tiles) angles.push_back(axis_angle(tile.axis));
+  return {cells_of(tiles),
+          [angles = std::move(angles)](const Piece& piece, const geometry::Polygon&) { return angles[piece.cell]; }};
 }
 
 }  // namespace
@@ -66,20 +121,18 @@ StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
     throw InputError(place_of(pavement),
                      fmt::format("expected at most {:.0f} stones, got an area for about {:.0f}", most_stones, expected));
   }
-  const DirectionField field(pavement, area);
-  const auto particles = packed_particles(pavement, area, field, seed);
-  Cells cells = cells_of(particles, pitch_mm(pavement));
-  const bool exact = std::holds_alternative<ConstantDirection>(pavement.direction);
-  if (!exact) cells = settled_cells(std::move(cells), particles, pitch_mm(pavement), area);
-  const auto pieces = pieces_within(cells, pavement, area);
+  const bool packed = pavement.bonding.bond == Bond::packed;
+  const Setting setting = packed ? packed_setting(pavement, area, seed) : bonded_setting(pavement, area, seed);
+  const StoneSize size{whole_face_mm2(pavement), pavement.joint_mm};
+  const auto pieces = pieces_within(setting.cells, pavement.area, area, size);
 
   std::vector<std::vector<geometry::Polygon>> faces(pieces.size());
-  parallel_for(pieces.size(), [&](std::size_t p) { faces[p] = laid_faces(pieces[p], pavement); });
+  parallel_for(pieces.size(), [&](std::size_t p) { faces[p] = laid_faces(pieces[p], size); });
   StoneLayout layout;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     for (auto& face : faces[p]) {
       const auto kind = pieces[p].cut || faces[p].size() > 1 ? StoneKind::cut : StoneKind::whole;
-      const Angle angle = field.angle(geometry::centroid(face));
+      const Angle angle = setting.angle(pieces[p], face);
       layout.stones.push_back({static_cast<int>(layout.stones.size()), kind, std::move(face), angle});
     }
   }

@@ -35,6 +35,28 @@ struct GuidesDirection {
 
 using Direction = std::variant<ConstantDirection, BoundaryDirection, RadialDirection, GuidesDirection>;
 
+// The bond: the rule by which stones are laid. What each makes of `stone_mm` is told in paving/bond.h.
+enum class Bond {
+  packed,         // square packing along the direction field (Miyata and Itoh §3)
+  running,        // rows, each moved on against the last
+  stack,          // rows with their perpends in line
+  herringbone,    // oblong stones at right angles, in steps
+  basket_weave,   // pairs (or more) of oblong stones, turned by turns
+  hexagon,        // honeycomb
+  segmental_arc,  // rows of setts in flat arcs, side by side
+  fan,            // setts in rings about the feet of fans, which overlap like scales
+  ashlar,         // rectangles of several sizes, mixed at random
+  crazy           // irregular polygons (Voronoi cells, as §5 of Miyata and Itoh suggests for natural stone)
+};
+
+struct Bonding {
+  Bond bond = Bond::packed;
+  double offset = 0.5;   // running: how far each row moves on, as a part of a stone, 0 … 1
+  Angle turn;            // of the pattern against the rows; herringbone: 0° or 45° are usual
+  double span_mm = 0.0;  // segmental arc, fan: width of an arc or a fan, >= 0; 0: twelve stones
+  bool operator==(const Bonding&) const = default;
+};
+
 // The upper surface of a stone: a cubic Bézier patch over its outline (§4 (1) of Miyata and Itoh). Values are means;
 // each stone draws its own within ± its spread (a fraction of the mean).
 struct StoneSurface {
@@ -58,6 +80,7 @@ struct Pavement {
   vec2 stone_mm{100.0, 100.0};  // face of a whole stone: along the rows, across them; > 0
   double joint_mm = 8.0;        // between faces of neighbours, >= 0; half of it stays free along outline and holes
   Direction direction;
+  Bonding bonding;
   StoneSurface surface;
   Relief relief;
 

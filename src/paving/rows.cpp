@@ -18,6 +18,7 @@
 #include "geometry/lattice.h"
 #include "paving/near_index.h"
 #include "paving/near_points.h"
+#include "paving/pattern.h"
 
 namespace shatterpave::paving {
 
@@ -237,13 +238,7 @@ std::vector<Vote> gathered(const std::vector<Sample>& samples, vec2 pitch) {
 
 std::vector<Particle> straight_rows(const geometry::RegionIndex& area, vec2 along, vec2 pitch, double band_mm) {
   const vec2 across = left_of(along);
-  vec2 low{0.0, 0.0};
-  for (std::size_t i = 0; i < area.segments().size(); ++i) {
-    const vec2 p = area.segments()[i].from;
-    const vec2 turned{glm::dot(p, along), glm::dot(p, across)};
-    low = i == 0 ? turned : glm::min(low, turned);
-  }
-  const vec2 first = low + 0.5 * pitch;
+  const vec2 first = lowest_corner(area, along) + 0.5 * pitch;
   const Grid grid{first.x * along + first.y * across, pitch.x * along, pitch.y * across};
   std::vector<Particle> particles;
   for (const GridPoint& p : near_points(grid, area, band_mm)) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "geometry/lattice.h"
 #include "scene/section.h"
 
@@ -49,6 +51,20 @@ paving::Direction direction_of(const TomlTable& pavement) {
   return paving::ConstantDirection{angle};
 }
 
+paving::Bonding bonding_of(const TomlTable& pavement) {
+  using paving::Bond;
+  constexpr std::array bonds = {Bond::packed,  Bond::running,       Bond::stack, Bond::herringbone, Bond::basket_weave,
+                                Bond::hexagon, Bond::segmental_arc, Bond::fan,   Bond::ashlar,      Bond::crazy};
+  paving::Bonding bonding;
+  const auto chosen = pavement.choice("bond", {"packed", "running", "stack", "herringbone", "basket_weave", "hexagon",
+                                               "segmental_arc", "fan", "ashlar", "crazy"});
+  bonding.bond = bonds.at(chosen.value_or(0));
+  pavement.read("bond_offset", {0.0, 1.0}, bonding.offset);
+  bonding.turn = Angle::degrees(pavement.number("bond_turn_deg", {-360.0, 360.0}).value_or(0.0));
+  pavement.read("bond_span_mm", {0.0, 1'000'000.0}, bonding.span_mm);
+  return bonding;
+}
+
 void read_surface(const TomlTable& pavement, paving::StoneSurface& surface) {
   const auto table = pavement.table("surface", {"height_mm", "height_spread", "inset", "inset_spread"});
   if (!table) return;
@@ -81,6 +97,7 @@ paving::Pavement pavement_of(const TomlTable& table) {
   table.read("joint_mm", {0.0, 1000.0}, pavement.joint_mm);
   limit_stones(table, pavement);
   pavement.direction = direction_of(table);
+  pavement.bonding = bonding_of(table);
   read_surface(table, pavement.surface);
   read_relief(table, pavement.relief);
   return pavement;
@@ -93,7 +110,7 @@ std::vector<paving::Pavement> pavements_of(const TomlTable& root) {
   for (const TomlTable& table :
        root.tables("pavement", most_pavements,
                    {"name", "size_mm", "outline_mm", "outline_file", "outline_feature", "outline_units", "holes_mm", "stone_mm",
-                    "joint_mm", "direction", "surface", "relief"})) {
+                    "joint_mm", "direction", "bond", "bond_offset", "bond_turn_deg", "bond_span_mm", "surface", "relief"})) {
     pavements.push_back(pavement_of(table));
   }
   return pavements;

@@ -173,6 +173,24 @@ TEST(ReadScene, EveryPavementKeyReachesItsValue) {
   EXPECT_EQ(p.relief, (paving::Relief{0.3, 0.5}));
 }
 
+TEST(ReadScene, ReadsEveryBond) {
+  const auto bonding = [](const std::string& lines) { return read(path(lines)).pavements[0].bonding; };
+  EXPECT_EQ(bonding(""), paving::Bonding{});
+  EXPECT_EQ(bonding("bond = \"running\"\nbond_offset = 0.25\nbond_turn_deg = 45\nbond_span_mm = 900\n"),
+            (paving::Bonding{paving::Bond::running, 0.25, Angle::degrees(45), 900.0}));
+  const std::vector<std::pair<std::string, paving::Bond>> names = {{"packed", paving::Bond::packed},
+                                                                   {"running", paving::Bond::running},
+                                                                   {"stack", paving::Bond::stack},
+                                                                   {"herringbone", paving::Bond::herringbone},
+                                                                   {"basket_weave", paving::Bond::basket_weave},
+                                                                   {"hexagon", paving::Bond::hexagon},
+                                                                   {"segmental_arc", paving::Bond::segmental_arc},
+                                                                   {"fan", paving::Bond::fan},
+                                                                   {"ashlar", paving::Bond::ashlar},
+                                                                   {"crazy", paving::Bond::crazy}};
+  for (const auto& [name, bond] : names) EXPECT_EQ(bonding("bond = \"" + name + "\"\n").bond, bond) << name;
+}
+
 TEST(ReadScene, ReadsEveryKindOfDirection) {
   const auto direction = [](const std::string& lines) {
     return read(path("[pavement.direction]\n" + lines)).pavements[0].direction;

@@ -1,0 +1,114 @@
+#include "paving/bond.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "paving/bond_patterns.h"
+#include "paving/bond_rings.h"
+#include "paving/packing.h"
+
+namespace shatterpave::paving {
+
+namespace {
+
+// Stones to the width of an arc or a fan. Small setts of 8 to 10 cm are laid in segmental arcs 1 m to 1.5 m wide.
+constexpr double stones_to_a_span = 12.0;
+
+vec2 longest_side(const geometry::Polygon& outline) {
+  vec2 longest{1.0, 0.0};
+  double most = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const vec2 d = outline[(i + 1) % outline.size()] - outline[i];
+    if (glm::dot(d, d) <= most) continue;
+    most = glm::dot(d, d);
+    longest = d;
+  }
+  return longest;
+}
+
+vec2 longest_chord(const std::vector<std::vector<vec2>>& guides) {
+  vec2 longest{1.0, 0.0};
+  double most = 0.0;
+  for (const auto& guide : guides) {
+    const vec2 d = guide.back() - guide.front();
+    if (glm::dot(d, d) <= most) continue;
+    most = glm::dot(d, d);
+    longest = d;
+  }
+  return longest;
+}
+
+// Of a direction without sign, in (−90°, 90°].
+vec2 rightwards(vec2 d) { return d.x < 0.0 || (d.x == 0.0 && d.y < 0.0) ? -d : d; }
+
+bool is_rows(Bond bond) { return bond == Bond::running || bond == Bond::stack; }
+
+double span_mm(const Pavement& pavement) {
+  const double given = pavement.bonding.span_mm;
+  return given > 0.0 ? given : stones_to_a_span * pitch_mm(pavement).x;
+}
+
+double row_offset(const Bonding& bonding) { return bonding.bond == Bond::running ? bonding.offset : 0.0; }
+
+Pattern pattern_of(const Pavement& pavement) {
+  const vec2 pitch = pitch_mm(pavement);
+  switch (pavement.bonding.bond) {
+    case Bond::running:
+    case Bond::stack:
+      return rows_pattern(pitch, row_offset(pavement.bonding));
+    case Bond::herringbone:
+      return herringbone_pattern(pitch);
+    case Bond::basket_weave:
+      return basket_weave_pattern(pitch);
+    case Bond::hexagon:
+      return hexagon_pattern(pitch);
+    case Bond::segmental_arc:
+      return segmental_arc_pattern(pitch, span_mm(pavement));
+    case Bond::fan:
+      return fan_pattern(pitch, span_mm(pavement));
+    case Bond::packed:
+    case Bond::ashlar:
+    case Bond::crazy:
+      break;
+  }
+  ENSURE(false);
+  return {};
+}
+
+}  // namespace
+
+Angle axis_angle(vec2 axis) { return Angle::of(rightwards(axis)); }
+
+Angle main_direction(const Pavement& pavement) {
+  if (const auto* constant = std::get_if<ConstantDirection>(&pavement.direction)) return constant->angle;
+  if (std::holds_alternative<BoundaryDirection>(pavement.direction)) return axis_angle(longest_side(pavement.area.outline));
+  if (const auto* guides = std::get_if<GuidesDirection>(&pavement.direction)) {
+    return axis_angle(longest_chord(guides->guides_mm));
+  }
+  return {};
+}
+
+std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed) {
+  const Bonding& bonding = pavement.bonding;
+  const auto* radial = std::get_if<RadialDirection>(&pavement.direction);
+  if (radial != nullptr && is_rows(bonding.bond)) {
+    return ring_tiles(pitch_mm(pavement), radial->centre_mm, row_offset(bonding), area);
+  }
+  Angle along = main_direction(pavement) + bonding.turn;
+  // Its pattern's own u runs along the steps.
+  if (bonding.bond == Bond::herringbone) along = along + Angle::degrees(45.0);
+  const Placement placement = anchored(area, along.direction());
+  const Id id(pavement.name);
+  if (bonding.bond == Bond::ashlar) return ashlar_tiles(pitch_mm(pavement), placement, area, seed, id);
+  if (bonding.bond == Bond::crazy) return crazy_tiles(pitch_mm(pavement), placement, area, seed, id);
+  return repeated(pattern_of(pavement), placement, area);
+}
+
+double whole_face_mm2(const Pavement& pavement) {
+  const double rectangle = pavement.stone_mm.x * pavement.stone_mm.y;
+  // A regular hexagon over the square on its width.
+  return pavement.bonding.bond == Bond::hexagon ? 0.5 * std::sqrt(3.0) * rectangle : rectangle;
+}
+
+}  // namespace shatterpave::paving

@@ -1,4 +1,5 @@
-# Every library comes from Debian 12 (packages.txt); nothing is downloaded.
+# Every library that the binary is made of comes from Debian 12 (packages.txt). (What cmake/plots.cmake fetches is text that the
+# report of `measure` holds, and runs in a browser.)
 # The installed package configuration includes this file too, so that a consumer finds the same ones.
 include(CMakeFindDependencyMacro)
 find_dependency(PkgConfig)

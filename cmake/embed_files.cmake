@@ -3,7 +3,8 @@ set(entries "")
 foreach(file IN LISTS FILES)
   get_filename_component(name ${file} NAME)
   file(READ ${file} text)
-  # A string literal is limited to 64 KiB by the standard; raw literals in sequence are joined by the compiler.
+  # A string literal is limited to 64 KiB by the standard; raw literals in sequence are joined by the compiler. The suffix sv on
+  # the last one makes it a view without counting its characters, for which a compiler takes only so many steps.
   string(LENGTH "${text}" length)
   set(literals "")
   set(at 0)
@@ -12,9 +13,11 @@ foreach(file IN LISTS FILES)
     string(APPEND literals "R\"embedded(${part})embedded\"\n")
     math(EXPR at "${at} + 8000")
   endwhile()
-  string(APPEND entries "      EmbeddedFile{\"${name}\",\n${literals}},\n")
+  string(APPEND entries "      EmbeddedFile{\"${name}\",\n${literals}\"\"sv},\n")
 endforeach()
 file(WRITE ${OUTPUT} "#include \"core/embedded.h\"\n\n#include <array>\n\nnamespace shatterpave {\n
+using namespace std::string_view_literals;
+
 std::span<const EmbeddedFile> embedded_files() {
   static constexpr std::array files = {\n${entries}  };
   return files;

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <string_view>
+#include <system_error>
 
 #include "core/error.h"
+#include "glass/counts.h"
 
 namespace shatterpave::cli {
 
@@ -87,6 +90,22 @@ void read_size(const std::string& text, pipeline::RenderOptions& options) {
   }
 }
 
+// LOW..HIGH, numbers of radial cracks.
+void read_sweep(const std::string& text, pipeline::MeasureOptions& options) {
+  if (text.empty()) return;
+  measure::Sweep sweep;
+  const char* end = text.data() + text.size();
+  const auto [dots, low_error] = std::from_chars(text.data(), end, sweep.low);
+  const bool has_dots = low_error == std::errc{} && std::string_view(dots, end).starts_with("..");
+  const auto [rest, high_error] = std::from_chars(has_dots ? dots + 2 : end, end, sweep.high);
+  if (!has_dots || high_error != std::errc{} || rest != end || sweep.low < 1 || sweep.high < sweep.low ||
+      sweep.high > glass::largest_radial_count) {
+    throw InputError(fmt::format("shatterpave: --radials: expected LOW..HIGH, whole numbers from 1 to {}, got \"{}\"",
+                                 glass::largest_radial_count, text));
+  }
+  options.sweep = sweep;
+}
+
 // All that may be asked for, as CLI11 fills it in.
 struct Requests {
   SceneOptions scene;
@@ -94,6 +113,8 @@ struct Requests {
   std::vector<Target> targets;
   pipeline::RenderOptions render;
   std::string size;
+  pipeline::MeasureOptions measure;
+  std::string radials;
   int threads = 0;
 };
 
@@ -127,6 +148,23 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
   return command;
 }
 
+CLI::App* add_measure(CLI::App& app, Requests& requests) {
+  CLI::App* command =
+      app.add_subcommand("measure", "Break the scene's panes over and over, and hold them against the measured panes of 1992");
+  add_scene_options(*command, requests.scene);
+  add_output(*command, requests.output);
+  command->add_option("--seeds", requests.measure.seeds, "Number of seeds, from the scene's (or --seed) on")
+      ->type_name("N")
+      ->required()
+      ->check(CLI::Range(std::size_t{1}, pipeline::most_seeds));
+  command
+      ->add_option("--radials", requests.radials,
+                   "Numbers of radial cracks, from LOW for the first seed to HIGH for the last, instead of what the scene says")
+      ->type_name("LOW..HIGH");
+  add_threads(*command, requests.threads);
+  return command;
+}
+
 }  // namespace
 
 Command command_of(int argc, const char* const* argv) {
@@ -136,6 +174,7 @@ Command command_of(int argc, const char* const* argv) {
   Requests requests;
   const CLI::App* export_command = add_export(app, requests);
   const CLI::App* check_command = add_check(app, requests);
+  const CLI::App* measure_command = add_measure(app, requests);
   add_render(app, requests);
   try {
     app.parse(argc, argv);
@@ -151,6 +190,11 @@ Command command_of(int argc, const char* const* argv) {
   if (check_command->parsed()) return Check{scene, std::move(overrides)};
   if (export_command->parsed()) {
     return Export{scene, std::move(overrides), requests.output, targets_of(std::move(requests.targets)), requests.threads};
+  }
+  if (measure_command->parsed()) {
+    requests.measure.scene_file = scene.string();
+    read_sweep(requests.radials, requests.measure);
+    return Measure{scene, std::move(overrides), requests.output, requests.measure, requests.threads};
   }
   requests.render.threads = requests.threads;
   read_size(requests.size, requests.render);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "pipeline/measure.h"
 #include "pipeline/render.h"
 #include "scene/override.h"
 
@@ -33,12 +34,20 @@ struct Render {
   pipeline::RenderOptions options;
 };
 
+struct Measure {
+  std::filesystem::path scene;
+  std::vector<scene::Override> overrides;
+  std::filesystem::path output;
+  pipeline::MeasureOptions options;
+  int threads = 0;  // 0: all processors
+};
+
 // Only a text is asked for: help or version.
 struct Show {
   std::string text;
 };
 
-using Command = std::variant<Export, Check, Render, Show>;
+using Command = std::variant<Export, Check, Render, Measure, Show>;
 
 // Throws InputError, with a message of one line, where the usage is wrong.
 Command command_of(int argc, const char* const* argv);

@@ -15,9 +15,11 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "export/json/geometry_json.h"
+#include "export/measures/measures.h"
 #include "export/povray/povray.h"
 #include "export/svg/drawing_svg.h"
 #include "pipeline/generate.h"
+#include "pipeline/measure.h"
 #include "pipeline/render.h"
 #include "pipeline/write.h"
 #include "scene/read_scene.h"
@@ -119,6 +121,22 @@ void run(const cli::Render& job) {
   }
   print(stderr, picture.messages);
   print_paths(picture.files);
+}
+
+void run(const cli::Measure& job) {
+  const ThreadLimit limit(job.threads);
+  const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
+  pipeline::require_output_folder(job.output);
+  std::vector<exporting::OutputFile> files;
+  {
+    ProgressBar bar;
+    files = exporting::measures_files(pipeline::surveyed(scene, job.options, bar.progress()));
+  }
+  if (!exporting::has_plots()) {
+    print(stderr, "shatterpave: the report was left out, since this build has no plotting library (see docs/measure.md)\n");
+  }
+  const SignalNotes notes;
+  print_paths(pipeline::written(files, job.output, SignalNotes::received));
 }
 
 void run(const cli::Show& show) { print(stdout, show.text); }

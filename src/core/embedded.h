@@ -1,4 +1,5 @@
-// Text files that are part of the binary: the templates (see cmake/embed.cmake).
+// Text files that are part of the binary: the templates, and the report's plotting library where it was to be had at build time
+// (see cmake/embed.cmake and cmake/plots.cmake).
 #pragma once
 
 #include <span>
@@ -12,6 +13,9 @@ struct EmbeddedFile {
 };
 
 std::span<const EmbeddedFile> embedded_files();
+
+// Whether there is a file of that name.
+bool is_embedded(std::string_view name);
 
 // The text of the file of that name, which must exist.
 std::string_view embedded_text(std::string_view name);

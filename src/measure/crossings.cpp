@@ -20,14 +20,11 @@ using geometry::LatticePoint;
 struct Piece {
   LatticePoint a;
   LatticePoint b;
+  LatticePoint low;
+  LatticePoint high;
   int crack = 0;
   bool starts = false;  // a is the first point of the crack
   bool ends = false;    // b is its last
-
-  std::int64_t left() const { return std::min(a.x, b.x); }
-  std::int64_t right() const { return std::max(a.x, b.x); }
-  std::int64_t low() const { return std::min(a.y, b.y); }
-  std::int64_t high() const { return std::max(a.y, b.y); }
 };
 
 struct Meeting {
@@ -47,7 +44,9 @@ std::vector<Piece> pieces_of(const glass::CrackNetwork& network) {
     LatticePoint from = geometry::to_lattice(crack.points_mm.front());
     for (std::size_t i = 1; i < crack.points_mm.size(); ++i) {
       const LatticePoint to = geometry::to_lattice(crack.points_mm[i]);
-      pieces.push_back({from, to, crack.id, i == 1, i + 1 == crack.points_mm.size()});
+      const LatticePoint low{std::min(from.x, to.x), std::min(from.y, to.y)};
+      const LatticePoint high{std::max(from.x, to.x), std::max(from.y, to.y)};
+      pieces.push_back({from, to, low, high, crack.id, i == 1, i + 1 == crack.points_mm.size()});
       from = to;
     }
   }
@@ -56,18 +55,29 @@ std::vector<Piece> pieces_of(const glass::CrackNetwork& network) {
 
 bool is_end(const Piece& piece, LatticePoint p) { return (piece.starts && piece.a == p) || (piece.ends && piece.b == p); }
 
+bool in_box(const Piece& piece, LatticePoint p) {
+  return p.x >= piece.low.x && p.x <= piece.high.x && p.y >= piece.low.y && p.y <= piece.high.y;
+}
+
+bool share_an_end(const Piece& one, const Piece& two) {
+  return one.a == two.a || one.a == two.b || one.b == two.a || one.b == two.b;
+}
+
 void add_touch(const Piece& one, const Piece& two, LatticePoint p, std::vector<Meeting>& found) {
-  if (is_end(one, p) || is_end(two, p) || !geometry::on_segment(two.a, two.b, p)) return;
+  if (!in_box(two, p) || is_end(one, p) || is_end(two, p) || !geometry::on_segment(two.a, two.b, p)) return;
   found.push_back({{std::min(one.crack, two.crack), std::max(one.crack, two.crack)}, p, p});
 }
 
 void add_meetings(const Piece& one, const Piece& two, std::vector<Meeting>& found) {
-  if (geometry::segments_cross(one.a, one.b, two.a, two.b)) {
+  // What shares an end cannot cross properly: neighbours along a crack, and the first pieces of all radials.
+  const bool sharing = share_an_end(one, two);
+  if (sharing && one.crack == two.crack) return;
+  if (!sharing && geometry::segments_cross(one.a, one.b, two.a, two.b)) {
     const auto [first, second] = std::minmax(one.a, two.a);
     found.push_back({{std::min(one.crack, two.crack), std::max(one.crack, two.crack)}, first, second});
     return;
   }
-  if (one.crack == two.crack) return;  // neighbours along a crack touch
+  if (one.crack == two.crack) return;
   for (const LatticePoint p : {one.a, one.b}) add_touch(one, two, p, found);
   for (const LatticePoint p : {two.a, two.b}) add_touch(two, one, p, found);
 }
@@ -75,8 +85,12 @@ void add_meetings(const Piece& one, const Piece& two, std::vector<Meeting>& foun
 class Bands {
  public:
   explicit Bands(std::span<const Piece> pieces) : pieces_(pieces) {
-    low_ = std::ranges::min_element(pieces, {}, &Piece::low)->low();
-    const std::int64_t high = std::ranges::max_element(pieces, {}, &Piece::high)->high();
+    std::int64_t high = pieces.front().high.y;
+    low_ = pieces.front().low.y;
+    for (const Piece& piece : pieces) {
+      low_ = std::min(low_, piece.low.y);
+      high = std::max(high, piece.high.y);
+    }
     const auto wanted = static_cast<std::int64_t>(std::sqrt(static_cast<double>(pieces.size())));
     height_ = (high - low_) / std::max<std::int64_t>(wanted, 1) + 1;
     fill(static_cast<std::size_t>((high - low_) / height_ + 1));
@@ -95,17 +109,17 @@ class Bands {
   void fill(std::size_t bands) {
     std::vector<std::pair<std::int64_t, std::uint32_t>> order;
     order.reserve(pieces_.size());
-    for (std::uint32_t i = 0; i < pieces_.size(); ++i) order.emplace_back(pieces_[i].left(), i);
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) order.emplace_back(pieces_[i].low.x, i);
     std::ranges::sort(order);
     offsets_.assign(bands + 1, 0);
     for (const Piece& piece : pieces_) {
-      for (std::size_t band = band_of(piece.low()); band <= band_of(piece.high()); ++band) ++offsets_[band + 1];
+      for (std::size_t band = band_of(piece.low.y); band <= band_of(piece.high.y); ++band) ++offsets_[band + 1];
     }
     for (std::size_t band = 0; band < bands; ++band) offsets_[band + 1] += offsets_[band];
     members_.resize(offsets_.back());
     std::vector<std::size_t> next(offsets_.begin(), offsets_.end() - 1);
     for (const auto& [left, i] : order) {
-      for (std::size_t band = band_of(pieces_[i].low()); band <= band_of(pieces_[i].high()); ++band) members_[next[band]++] = i;
+      for (std::size_t band = band_of(pieces_[i].low.y); band <= band_of(pieces_[i].high.y); ++band) members_[next[band]++] = i;
     }
   }
 
@@ -127,10 +141,10 @@ std::vector<Crossing> crossings(const glass::CrackNetwork& network) {
     const std::span<const std::uint32_t> members = bands[band];
     for (std::size_t i = 0; i < members.size(); ++i) {
       const Piece& one = pieces[members[i]];
-      for (std::size_t j = i + 1; j < members.size() && pieces[members[j]].left() <= one.right(); ++j) {
+      for (std::size_t j = i + 1; j < members.size() && pieces[members[j]].low.x <= one.high.x; ++j) {
         const Piece& two = pieces[members[j]];
-        const std::int64_t low = std::max(one.low(), two.low());
-        if (low > std::min(one.high(), two.high()) || bands.band_of(low) != band) continue;
+        const std::int64_t low = std::max(one.low.y, two.low.y);
+        if (low > std::min(one.high.y, two.high.y) || bands.band_of(low) != band) continue;
         add_meetings(one, two, found);
       }
     }

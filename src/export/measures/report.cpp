@@ -1,0 +1,324 @@
+// The page is templates/measures.html with its marks `<!--@name-->` replaced. Plots are drawn in the browser, from a block of
+// data and the specifications in templates/measures_plots.js; all else is written here, so that it shows without scripts.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "core/embedded.h"
+#include "core/error.h"
+#include "export/measures/measures.h"
+#include "export/measures/words.h"
+#include "measure/experiment.h"
+
+namespace shatterpave::exporting {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Buffer = fmt::memory_buffer;
+using measure::Survey;
+
+constexpr std::string_view vega = "vega.min.js";
+constexpr std::string_view vega_lite = "vega-lite.min.js";
+constexpr std::string_view vega_licence = "vega.licence";
+constexpr std::string_view vega_lite_licence = "vega-lite.licence";
+
+// A browser draws this many points without delay, and more would only darken the cloud.
+constexpr std::size_t most_points = 2000;
+
+// Of a drawing, mm: vertices nearer than this to the last one drawn are left out, and coordinates rounded to the unit. On the
+// page a pane is some 200 px wide, so that both are well below a pixel for a pane of 300 mm; they grow with the pane.
+constexpr double drawing_step = 1.0 / 250.0;
+constexpr double drawing_unit = 1.0 / 3000.0;
+
+template <typename... Arguments>
+void put(Buffer& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
+std::string escaped(std::string_view text) {
+  return replaced(replaced(replaced(std::string(text), "&", "&amp;"), "<", "&lt;"), ">", "&gt;");
+}
+
+// A script element ends at the first "</script", even within a string of the script. Only in strings and patterns can a script
+// have these characters, and there a backslash changes nothing else. (Not so "</" alone: /</g is a pattern.)
+std::string as_script(std::string_view text) { return replaced(std::string(text), "</script", "<\\/script"); }
+
+// --- Data of the plots ------------------------------------------------------------------------------------------------
+
+// To what a plot shows; files stay small.
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
+Json line_data(const measure::Line& line, double low, double high) {
+  return Json::array({{rounded(low), rounded(line.at(low))}, {rounded(high), rounded(line.at(high))}});
+}
+
+Json measured_line(const measure::Line& line) {
+  return line.low_x < line.high_x && line.count > 2 ? line_data(line, line.low_x, line.high_x) : Json::array();
+}
+
+// Cells that hold something, as [from, to, percentage].
+Json histogram_data(const measure::Histogram& histogram) {
+  std::size_t total = 0;
+  for (const std::size_t count : histogram.counts) total += count;
+  Json cells = Json::array();
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    const double low = histogram.low + histogram.width * static_cast<double>(i);
+    const double share = total == 0 ? 0.0 : 100.0 * static_cast<double>(histogram.counts[i]) / static_cast<double>(total);
+    if (histogram.counts[i] > 0) cells.push_back({rounded(low), rounded(low + histogram.width), rounded(share)});
+  }
+  return cells;
+}
+
+// The first impacts of the first panes.
+std::vector<const measure::ImpactFigures*> first_figures(const Survey& survey) {
+  std::vector<const measure::ImpactFigures*> result;
+  for (const measure::SurveyedPane& pane : survey.panes) {
+    if (result.size() == most_points) break;
+    if (!pane.impacts.empty()) result.push_back(&pane.impacts.front());
+  }
+  return result;
+}
+
+Json large_data(const Survey& survey) {
+  Json points = Json::array();
+  for (const measure::ImpactFigures* f : first_figures(survey)) points.push_back({f->drawn.radial_count, f->reaching_count});
+  Json panes = Json::array();
+  for (const measure::ExperimentPane& pane : measure::experiment_panes())
+    panes.push_back({pane.radial_count, pane.large_count});
+  const measure::Line line = measure::experiment_large_line();
+  return {{"points", points},
+          {"line", measured_line(survey.summary.large_line)},
+          {"panes", panes},
+          {"panes_line", line_data(line, line.low_x, line.high_x)}};
+}
+
+Json ring_data(const Survey& survey) {
+  Json points = Json::array();
+  for (const measure::ImpactFigures* f : first_figures(survey)) {
+    if (f->ring_distance_mm.count() > 0) points.push_back({f->drawn.radial_count, rounded(f->ring_distance_mm.mean())});
+  }
+  Json panes = Json::array();
+  measure::Line printed;
+  printed.slope = measure::ring_radius_slope_mm;
+  printed.intercept = measure::ring_radius_offset_mm;
+  printed.low_x = printed.high_x = measure::experiment_panes().front().radial_count;
+  for (const measure::ExperimentPane& pane : measure::experiment_panes()) {
+    if (!pane.ring_radius_mm) continue;
+    panes.push_back({pane.radial_count, *pane.ring_radius_mm});
+    printed.low_x = std::min<double>(printed.low_x, pane.radial_count);
+    printed.high_x = std::max<double>(printed.high_x, pane.radial_count);
+  }
+  return {{"points", points},
+          {"line", measured_line(survey.summary.ring_line)},
+          {"panes", panes},
+          {"panes_line", line_data(printed, printed.low_x, printed.high_x)}};
+}
+
+// Cells of M of one width, some thirty over what was drawn and Table 1.
+int count_cell_width(int highest) {
+  int width = 1;
+  for (int next : {2, 5, 10, 20, 50, 100, 200, 500}) {
+    if (highest / width > 30) width = next;
+  }
+  return width;
+}
+
+// The law in each cell, in per cent, at the middle of the cell.
+Json law_data(const measure::CountLaw& law, int width, int cells) {
+  const std::vector<double> probabilities = measure::probabilities(law, width * cells - 1);
+  Json result = Json::array();
+  for (int cell = 0; cell < cells; ++cell) {
+    double sum = 0.0;
+    for (int k = 0; k < width; ++k) sum += probabilities[static_cast<std::size_t>(cell * width + k)];
+    result.push_back({rounded(width * (cell + 0.5) - 0.5), rounded(100.0 * sum)});
+  }
+  return result;
+}
+
+Json count_data(const Survey& survey) {
+  Json panes = Json::array();
+  measure::Distribution experiment;
+  for (const measure::ExperimentPane& pane : measure::experiment_panes()) {
+    panes.push_back(pane.radial_count);
+    experiment.add(pane.radial_count);
+  }
+  const measure::Distribution& drawn = survey.summary.radial_count;
+  const int highest = static_cast<int>(std::max(drawn.greatest(), experiment.greatest()));
+  const int width = count_cell_width(highest);
+  const int cells = highest / width + 1;
+  measure::Histogram histogram{-0.5, static_cast<double>(width), std::vector<std::size_t>(static_cast<std::size_t>(cells))};
+  for (const measure::SurveyedPane& pane : survey.panes) {
+    if (!pane.impacts.empty()) histogram.add(pane.impacts.front().drawn.radial_count);
+  }
+  Json result = {{"cells", histogram_data(histogram)}, {"panes", panes}};
+  const measure::CountLaw poisson{survey.count_law ? survey.count_law->mean : drawn.mean(), 1.0};
+  result["poisson"] = poisson.mean > 0.0 ? law_data(poisson, width, cells) : Json::array();
+  result["dispersed"] = law_data({experiment.mean(), experiment.variance() / experiment.mean()}, width, cells);
+  return result;
+}
+
+// Numbers only, so that nothing in it can end the element that holds it.
+Json plot_data(const Survey& survey) {
+  const auto histogram = [](const measure::Histogram& h, double low, double high) {
+    return Json{{"cells", histogram_data(h)}, {"range", {low, high}}};
+  };
+  return {{"large", large_data(survey)},
+          {"ring", ring_data(survey)},
+          {"turns", histogram(survey.summary.turns_deg, measure::least_turn_deg, measure::greatest_turn_deg)},
+          {"ratios", histogram(survey.summary.ring_ratios, measure::least_ring_ratio, measure::greatest_ring_ratio)},
+          {"edge_angles", histogram(survey.summary.edge_angles_deg, 75.0, 90.0)},
+          {"counts", count_data(survey)}};
+}
+
+// --- Tables and drawings ----------------------------------------------------------------------------------------------
+
+std::string findings_rows(const measure::Summary& summary) {
+  Buffer out;
+  for (const measure::Finding& finding : summary.findings) {
+    const std::string_view word = word_of(finding.verdict);
+    put(out,
+        "<tr id=\"{}\"><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{} {}</td>"
+        "<td><span class=\"verdict {}\">{}</span></td></tr>\n",
+        finding.id, finding.quantity, target_of(finding), figure_of(finding), finding.count, finding.counted, word, word);
+  }
+  return fmt::to_string(out);
+}
+
+std::string mean_and_deviation(const measure::Distribution& d, int decimals) {
+  if (d.count() == 0) return "–";
+  return fmt::format("{:.{}f} ± {:.{}f}", d.mean(), decimals, d.deviation(), decimals);
+}
+
+std::string pane_rows(const Survey& survey) {
+  Buffer out;
+  for (std::size_t i = 0; i < survey.pane_names.size(); ++i) {
+    const measure::Summary& summary = survey.pane_summaries[i];
+    measure::Distribution reaching;
+    measure::Distribution ring;
+    for (std::size_t k = i; k < survey.panes.size(); k += survey.pane_names.size()) {
+      const measure::ImpactFigures& figures = survey.panes[k].impacts.front();
+      reaching.add(figures.reaching_count);
+      if (figures.ring_distance_mm.count() > 0) ring.add(figures.ring_distance_mm.mean());
+    }
+    put(out, "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>",
+        escaped(survey.pane_names[i]), mean_and_deviation(summary.radial_count, 1), mean_and_deviation(reaching, 2),
+        mean_and_deviation(ring, 1));
+    put(out, "<td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n", mean_and_deviation(summary.turn_deg, 2),
+        mean_and_deviation(summary.edge_angle_deg, 1));
+  }
+  return fmt::to_string(out);
+}
+
+// A polyline in whole units of the drawing, as a path of relative steps.
+void put_path(Buffer& out, const std::vector<vec2>& points, double unit, double step, bool closed) {
+  const auto x = [&](vec2 p) { return std::llround(p.x / unit); };
+  const auto y = [&](vec2 p) { return -std::llround(p.y / unit); };
+  put(out, "M{} {}l", x(points.front()), y(points.front()));
+  vec2 drawn = points.front();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (i + 1 < points.size() && glm::length(points[i] - drawn) < step) continue;
+    put(out, "{} {} ", x(points[i]) - x(drawn), y(points[i]) - y(drawn));
+    drawn = points[i];
+  }
+  if (closed) put(out, "z");
+}
+
+std::string_view class_of(glass::CrackKind kind) {
+  if (kind == glass::CrackKind::large) return "large";
+  return kind == glass::CrackKind::circular ? "ring" : "radial";
+}
+
+void put_specimen(Buffer& out, const measure::Specimen& specimen, bool named) {
+  const geometry::Box box = geometry::bounding_box(specimen.pane.outline_mm);
+  const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  const double unit = side * drawing_unit;
+  const double step = side * drawing_step;
+  put(out, "<figure><svg viewBox=\"{} {} {} {}\" role=\"img\" aria-label=\"Cracks of seed {}\"><path class=\"pane\" d=\"",
+      std::llround(box.low.x / unit) - 10, -std::llround(box.high.y / unit) - 10,
+      std::llround((box.high.x - box.low.x) / unit) + 20, std::llround((box.high.y - box.low.y) / unit) + 20, specimen.seed);
+  put_path(out, specimen.pane.outline_mm, unit, 0.0, true);
+  put(out, "\"/>");
+  for (const glass::CrackKind kind : {glass::CrackKind::radial, glass::CrackKind::circular, glass::CrackKind::large}) {
+    put(out, "<path class=\"{}\" d=\"", class_of(kind));
+    for (const glass::Crack& crack : specimen.network.cracks) {
+      if (crack.kind == kind) put_path(out, crack.points_mm, unit, step, false);
+    }
+    put(out, "\"/>");
+  }
+  const glass::ImpactCounts& counts = specimen.network.impacts.front();
+  put(out, "</svg><figcaption><b>{}</b> {}M {}, N {}</figcaption></figure>\n", specimen.seed,
+      named ? escaped(specimen.pane.name) + " · " : "", counts.radial_count, counts.large_count);
+}
+
+std::string contact_sheet(const Survey& survey) {
+  Buffer out;
+  for (const measure::Specimen& specimen : survey.specimens) put_specimen(out, specimen, survey.pane_names.size() > 1);
+  return fmt::to_string(out);
+}
+
+// How M came to be.
+std::string count_words(const Survey& survey) {
+  if (survey.sweep) return fmt::format("in even steps from {} to {}", survey.sweep->low, survey.sweep->high);
+  if (!survey.count_law) return "as the scene gives it, pane by pane";
+  if (survey.count_law->dispersion <= 1.0) return fmt::format("drawn from Poisson with mean {:.4g}", survey.count_law->mean);
+  return fmt::format("drawn from a negative binomial law with mean {:.4g} and variance / mean {:.4g}", survey.count_law->mean,
+                     survey.count_law->dispersion);
+}
+
+std::string verdict_words(const measure::Summary& summary) {
+  const auto count = [&](measure::Verdict verdict) {
+    return std::ranges::count(summary.findings, verdict, &measure::Finding::verdict);
+  };
+  std::string words = fmt::format("{} of {} hold", count(measure::Verdict::holds), summary.findings.size());
+  if (const auto fails = count(measure::Verdict::fails); fails > 0) words += fmt::format(", {} fail", fails);
+  if (const auto open = count(measure::Verdict::open); open > 0) words += fmt::format(", {} left open by these seeds", open);
+  return words;
+}
+
+void fill(std::string& page, std::string_view mark, std::string_view text) {
+  const std::string whole = fmt::format("<!--@{}-->", mark);
+  const std::size_t at = page.find(whole);
+  ENSURE(at != std::string::npos);
+  page.replace(at, whole.size(), text);
+}
+
+}  // namespace
+
+bool has_plots() { return is_embedded(vega) && is_embedded(vega_lite); }
+
+std::string measures_report(const Survey& survey) {
+  const measure::Distribution& counts = survey.summary.radial_count;
+  std::string page{embedded_text("measures.html")};
+  fill(page, "title", escaped(survey.name));
+  fill(page, "name", escaped(survey.name));
+  fill(page, "seeds", fmt::format("{} … {}", survey.first_seed, survey.first_seed + (survey.seed_count - 1)));
+  fill(page, "panes", fmt::format("{}", survey.panes.size()));
+  fill(page, "counts",
+       fmt::format("{:.0f} … {:.0f}, mean {:.1f}, variance / mean {:.1f}; {}", counts.least(), counts.greatest(), counts.mean(),
+                   counts.variance() / std::max(counts.mean(), 1.0), count_words(survey)));
+  fill(page, "verdicts", verdict_words(survey.summary));
+  fill(page, "findings", findings_rows(survey.summary));
+  fill(page, "sample", survey.panes.size() > most_points ? fmt::format(" Points: the first {} panes.", most_points) : "");
+  fill(page, "pane_rows", pane_rows(survey));
+  fill(page, "specimens", contact_sheet(survey));
+  fill(page, "vega_licence", escaped(embedded_text(vega_licence)));
+  fill(page, "vega_lite_licence", escaped(embedded_text(vega_lite_licence)));
+  fill(page, "data", plot_data(survey).dump());
+  fill(page, "vega", as_script(embedded_text(vega)));
+  fill(page, "vega_lite", as_script(embedded_text(vega_lite)));
+  fill(page, "plots", as_script(embedded_text("measures_plots.js")));
+  return page;
+}
+
+}  // namespace shatterpave::exporting

@@ -1,0 +1,153 @@
+// Panes are broken in batches, in parallel, and each batch is added up in the order of the seeds: so the number of threads does
+// not show, and what the measures are made of need not be kept.
+#include "pipeline/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "glass/counts.h"
+#include "glass/growth.h"
+
+namespace shatterpave::pipeline {
+
+namespace {
+
+using measure::Survey;
+
+constexpr std::size_t batch_size = 1024;
+constexpr std::size_t most_specimens = 24;
+
+void require_measurable(const scene::Scene& scene, const MeasureOptions& options) {
+  const auto refuse = [&](const std::string& message) { throw InputError(Place{options.scene_file, 0, 0, ""}, message); };
+  if (scene.panes.empty()) refuse("expected one or more tables [[pane]] to measure, got none; pavements are not measured");
+  constexpr auto last_seed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (scene.seed > last_seed - (options.seeds - 1)) {
+    refuse(fmt::format("expected a first seed of at most {} for {} seeds, got {}", last_seed - (options.seeds - 1),
+                       options.seeds, scene.seed));
+  }
+  if (options.seeds > most_measured_panes / scene.panes.size()) {
+    refuse(fmt::format("expected at most {} panes in all, got {} seeds with {} panes each", most_measured_panes, options.seeds,
+                       scene.panes.size()));
+  }
+}
+
+// M of the seed that is `index`-th of `count`.
+int swept_count(const measure::Sweep& sweep, std::size_t index, std::size_t count) {
+  const std::size_t span = static_cast<std::size_t>(sweep.high - sweep.low);
+  const std::size_t steps = std::max<std::size_t>(count - 1, 1);
+  return sweep.low + static_cast<int>((2 * span * index + steps) / (2 * steps));
+}
+
+glass::Pane pane_of_seed(const glass::Pane& pane, const MeasureOptions& options, std::size_t index) {
+  glass::Pane result = pane;
+  if (!options.sweep) return result;
+  for (glass::Impact& impact : result.impacts) {
+    impact.mean_radial_count.reset();
+    impact.large_count.reset();
+    impact.circular_count.reset();
+    impact.radial_count = swept_count(*options.sweep, index, options.seeds);
+  }
+  return result;
+}
+
+// The law of M, if the first impact of every pane has the same.
+std::optional<measure::CountLaw> law_of(const scene::Scene& scene) {
+  std::optional<measure::CountLaw> law;
+  for (const glass::Pane& pane : scene.panes) {
+    const glass::Impact& impact = pane.impacts.front();
+    if (impact.radial_count) return std::nullopt;
+    const measure::CountLaw here{glass::mean_radial_count(impact, pane.growth), pane.growth.count_dispersion};
+    if (law && *law != here) return std::nullopt;
+    law = here;
+  }
+  return law;
+}
+
+struct Broken {
+  glass::CrackNetwork network;  // kept of specimens only
+  measure::PaneMeasures measures;
+};
+
+class Surveyor {
+ public:
+  Surveyor(const scene::Scene& scene, const MeasureOptions& options)
+      : scene_(scene), options_(options), pane_totals_(scene.panes.size()) {
+    survey_.name = scene.name;
+    survey_.first_seed = scene.seed;
+    survey_.seed_count = options.seeds;
+    survey_.sweep = options.sweep;
+    if (!options.sweep) survey_.count_law = law_of(scene);
+    for (const glass::Pane& pane : scene.panes) survey_.pane_names.push_back(pane.name);
+    survey_.panes.reserve(count());
+  }
+
+  std::size_t count() const { return options_.seeds * scene_.panes.size(); }
+
+  // Breaks and measures the `index`-th pane of all. May be called from several threads.
+  Broken broken(std::size_t index) const {
+    const glass::Pane pane = pane_at(index);
+    Broken result;
+    result.network = glass::grown_cracks(pane, seed_at(index));
+    result.measures = measure::measured(result.network, pane);
+    if (index >= most_specimens) result.network = {};
+    return result;
+  }
+
+  // Must be called in the order of the panes.
+  void add(std::size_t index, Broken broken) {
+    totals_.add(broken.measures);
+    pane_totals_[index % scene_.panes.size()].add(broken.measures);
+    measure::SurveyedPane row{seed_at(index), index % scene_.panes.size(), {}};
+    for (const measure::ImpactMeasures& impact : broken.measures.impacts) row.impacts.push_back(measure::figures_of(impact));
+    survey_.panes.push_back(std::move(row));
+    if (index < most_specimens) {
+      survey_.specimens.push_back({seed_at(index), pane_at(index), std::move(broken.network)});
+    }
+  }
+
+  Survey finished() {
+    survey_.summary = totals_.summary();
+    for (const measure::Totals& totals : pane_totals_) survey_.pane_summaries.push_back(totals.summary());
+    return std::move(survey_);
+  }
+
+ private:
+  std::uint64_t seed_at(std::size_t index) const { return scene_.seed + index / scene_.panes.size(); }
+  glass::Pane pane_at(std::size_t index) const {
+    return pane_of_seed(scene_.panes[index % scene_.panes.size()], options_, index / scene_.panes.size());
+  }
+
+  const scene::Scene& scene_;
+  const MeasureOptions& options_;
+  Survey survey_;
+  measure::Totals totals_;
+  std::vector<measure::Totals> pane_totals_;
+};
+
+}  // namespace
+
+Survey surveyed(const scene::Scene& scene, const MeasureOptions& options, const Progress& progress) {
+  require_measurable(scene, options);
+  Surveyor surveyor(scene, options);
+  const std::size_t count = surveyor.count();
+  std::size_t done = 0;
+  std::mutex reporting;
+  for (std::size_t begin = 0; begin < count; begin += batch_size) {
+    std::vector<Broken> batch(std::min(batch_size, count - begin));
+    parallel_for(batch.size(), [&](std::size_t i) {
+      batch[i] = surveyor.broken(begin + i);
+      const std::scoped_lock lock(reporting);
+      ++done;
+      if (progress) progress("measuring", static_cast<double>(done) / static_cast<double>(count));
+    });
+    for (std::size_t i = 0; i < batch.size(); ++i) surveyor.add(begin + i, std::move(batch[i]));
+  }
+  return surveyor.finished();
+}
+
+}  // namespace shatterpave::pipeline

@@ -41,6 +41,10 @@ constexpr std::size_t nearest_tips = 8;
 // so many units of the lattice that rounding swaps no two of them. At M = 100 that is the first 0.8 mm, at M = 10,000 80 mm.
 constexpr double least_spacing_mm = 0.05;
 
+// Radials that stop while their neighbours are nearer than this, two units of the lattice, are left out: rounding could put
+// them on the wrong side of one another. At M = 100 that is within 0.03 mm of the impact.
+constexpr double least_order_mm = 0.002;
+
 // Shorter steps are gathered into one piece of a polyline.
 constexpr double least_piece_mm = 0.02;
 
@@ -304,6 +308,7 @@ void PaneGrowth::extend(const Tip& tip, const ImpactState& state) {
 
 // Adds the way from the last vertex of the crack to its tip. Returns the region that this closed; empty if none.
 geometry::Polygon PaneGrowth::piece(const Tip& tip) {
+  if (glm::length(tip.at_mm - tip.start_mm) < tip.straight_mm * (least_order_mm / least_spacing_mm)) return {};
   const LatticePoint from = map_.tip(tip.crack);
   const std::optional<Arrest> arrest = map_.extend(tip.crack, geometry::to_lattice(tip.at_mm));
   const LatticePoint to = map_.tip(tip.crack);
@@ -314,14 +319,20 @@ geometry::Polygon PaneGrowth::piece(const Tip& tip) {
   return region;
 }
 
+// Tips lie between the points of the lattice, and one may be less than 1 µm from its impact, where regions meet: so both are
+// taken to a finer lattice, and one that has not gone yet is looked for in front of its start.
 std::vector<const Tip*> PaneGrowth::growing_within(const geometry::Polygon& region, const ImpactState& state) const {
   if (region.empty()) return {};
+  constexpr double finer = 1000.0;
+  geometry::Polygon fine_region = region;
+  for (vec2& vertex : fine_region) vertex *= finer;
   const geometry::Box box = geometry::bounding_box(region);
   std::vector<const Tip*> found;
   for (const Tip& tip : state.tips) {
-    const bool near = glm::all(glm::greaterThan(tip.at_mm, box.low)) && glm::all(glm::lessThan(tip.at_mm, box.high));
-    if (near && tip.kind != CrackKind::circular && map_.is_growing(tip.crack) && geometry::contains(region, tip.at_mm))
-      found.push_back(&tip);
+    const vec2 at = tip.length_mm > 0.0 ? tip.at_mm : tip.at_mm + least_piece_mm * tip.heading;
+    const bool near = glm::all(glm::greaterThan(at, box.low)) && glm::all(glm::lessThan(at, box.high));
+    if (!near || tip.kind == CrackKind::circular || !map_.is_growing(tip.crack)) continue;
+    if (geometry::contains(fine_region, finer * at)) found.push_back(&tip);
   }
   return found;
 }
@@ -346,6 +357,8 @@ void PaneGrowth::step(ImpactState& state) {
 void PaneGrowth::settle(const ImpactState& state) {
   for (const Tip& tip : state.tips) {
     if (map_.is_growing(tip.crack)) extend(tip, state);
+  }
+  for (const Tip& tip : state.tips) {
     if (map_.is_growing(tip.crack)) map_.stop(tip.crack, CrackEnd::At::open);
   }
   cracks_.add_all(siblings_);

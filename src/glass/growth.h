@@ -15,8 +15,8 @@ namespace shatterpave::glass {
 // vertex of its polyline; a crack that ends at the edge ends within 1 µm of it.
 //
 // Two cases in which fewer cracks come to be than were drawn: a ring crack's starting point that lies outside the pane or
-// behind an edge or an earlier crack, seen from its impact, is left out; and so is a crack that meets something before it is
-// 1 µm long.
+// behind an edge or an earlier crack, seen from its impact, is left out; and so is a crack that stops before it is 1 µm long,
+// or 2 µm away from its neighbours.
 //
 // REQUIRES the ranges of glass/pane.h. Throws InputError for an impact that is not strictly inside the outline, and for speeds
 // and a time step with which cracks would need more than a million steps to cross the pane.

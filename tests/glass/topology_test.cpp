@@ -19,6 +19,7 @@ TEST(Topology, HoldsInOddPanes) {
     const Pane pane = random_pane(seed, {});
     const CrackNetwork network = grown_cracks(pane, seed);
     EXPECT_EQ(faults(network, pane.outline_mm), nothing) << "pane " << seed;
+    EXPECT_EQ(enclosure_faults(network), nothing) << "pane " << seed;
     for (const Crack& crack : network.cracks) ++ends[crack.end.at];
   }
   EXPECT_GT(ends[CrackEnd::At::edge], 3000);

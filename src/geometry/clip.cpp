@@ -96,6 +96,14 @@ std::vector<Region> offset(const Region& region, double distance_mm, double mite
   return combined(ClipperLib::ctUnion, moved, {});
 }
 
+std::vector<Region> thickened(const std::vector<std::vector<vec2>>& polylines, double distance_mm, double miter_limit) {
+  ClipperLib::ClipperOffset offsetter(miter_limit);
+  for (const auto& polyline : polylines) offsetter.AddPath(path_of(polyline), ClipperLib::jtMiter, ClipperLib::etOpenButt);
+  Paths thick;
+  offsetter.Execute(thick, distance_mm * lattice_per_mm);
+  return combined(ClipperLib::ctUnion, thick, {});
+}
+
 Polygon cleaned(const Polygon& polygon) {
   std::vector<LatticePoint> kept;
   for (const vec2& vertex : polygon) {

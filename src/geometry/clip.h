@@ -20,6 +20,10 @@ std::vector<Region> united(const std::vector<Polygon>& polygons);
 // `distance_mm` (distance > 0). Corners are mitred where the tip lies within `miter_limit` distances, else cut square.
 std::vector<Region> offset(const Region& region, double distance_mm, double miter_limit = 2.0);
 
+// The points nearer than `distance_mm` > 0 to polylines of two or more distinct points, which end square. Mitres as in
+// `offset`.
+std::vector<Region> thickened(const std::vector<std::vector<vec2>>& polylines, double distance_mm, double miter_limit = 2.0);
+
 // `polygon` without repeated vertices, spikes and vertices on the straight line between their neighbours, rounded to the
 // lattice; empty if nothing with an area remains.
 Polygon cleaned(const Polygon& polygon);

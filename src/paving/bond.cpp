@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "paving/bond_courses.h"
 #include "paving/bond_patterns.h"
 #include "paving/bond_rings.h"
 #include "paving/packing.h"
@@ -95,6 +96,8 @@ std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionInd
   if (radial != nullptr && is_rows(bonding.bond)) {
     return ring_tiles(pitch_mm(pavement), radial->centre_mm, row_offset(bonding), area);
   }
+  const bool straight = std::holds_alternative<ConstantDirection>(pavement.direction);
+  if (!straight && is_rows(bonding.bond)) return parallel_tiles(pavement, pitch_mm(pavement), row_offset(bonding), area);
   Angle along = main_direction(pavement) + bonding.turn;
   // Its pattern's own u runs along the steps.
   if (bonding.bond == Bond::herringbone) along = along + Angle::degrees(45.0);

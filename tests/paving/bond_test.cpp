@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/lattice.h"
+#include "geometry/region_index.h"
 #include "paving/cutting.h"
 #include "paving/laying.h"
 #include "paving/layout_quality.h"
@@ -107,7 +108,8 @@ TEST_P(EveryBond, BearsOddAreas) {
   };
   for (const geometry::Region& area : areas) {
     for (const double joint_mm : {0.0, 8.0, 120.0}) {
-      for (const Direction& direction : {straight(10), Direction(RadialDirection{{450, 450}})}) {
+      for (const Direction& direction : {straight(10), Direction(RadialDirection{{450, 450}}), Direction(BoundaryDirection{}),
+                                         Direction(GuidesDirection{{{{0, 0}, {400, 300}, {900, 300}}}})}) {
         const Pavement paved = bonded(bond.bond, bond.stone_mm, joint_mm, area, direction);
         EXPECT_EQ(faults(paved, laid_stones(paved, 1)).total(), 0U) << &area - areas.data() << ", joint " << joint_mm;
       }
@@ -361,6 +363,49 @@ TEST(Bonds, RingsHaveWholeNumbersOfStones) {
     const auto [least, most] = std::ranges::minmax(areas);
     EXPECT_LT(most / least, 1.03) << ring;
     EXPECT_GT(least, ring > 2 ? 8500.0 : 5500.0) << ring;
+  }
+}
+
+// The share of corners of whole stones that lie half a joint from a whole number of rows off the guide.
+double share_in_rows(const Pavement& paved, const StoneLayout& layout, double pitch) {
+  const auto& guide = std::get<GuidesDirection>(paved.direction).guides_mm.front();
+  double in_rows = 0.0;
+  double seen = 0.0;
+  for (const Stone& stone : layout.stones) {
+    if (stone.kind != StoneKind::whole) continue;
+    for (const vec2& p : stone.outline_mm) {
+      double distance = 1e300;
+      for (std::size_t i = 0; i + 1 < guide.size(); ++i) {
+        distance = std::min(distance, glm::length(geometry::nearest_point({guide[i], guide[i + 1]}, p) - p));
+      }
+      const double rest = std::abs(std::remainder(distance, pitch));
+      in_rows += std::abs(rest - 0.5 * paved.joint_mm) < 0.5 ? 1.0 : 0.0;
+      seen += 1.0;
+    }
+  }
+  return seen < 500.0 ? -1.0 : in_rows / seen;
+}
+
+TEST(Bonds, RowsAlongAGuideAreOfOneWidth) {
+  std::vector<vec2> guide;
+  for (int k = -20; k <= 20; ++k) guide.push_back({250.0 * k + 2000.0, 0.06 * (250.0 * k) * (250.0 * k) / 1000.0});
+  Pavement paved = bonded(Bond::running, {200, 100}, 8, rectangle(4000, 2500), GuidesDirection{{guide}});
+  EXPECT_GT(share_in_rows(paved, laid_stones(paved, 1), 108.0), 0.97);
+  EXPECT_LT(share_in_rows(paved, laid_stones(paved, 1), 109.0), 0.5);
+  paved.bonding.bond = Bond::packed;
+  EXPECT_LT(share_in_rows(paved, laid_stones(paved, 1), 108.0), 0.5);
+}
+
+TEST(Bonds, RowsRoundAnOutlineCoverItWhateverItsShape) {
+  // Rows close in on each other in the middle, about a hole, and in a corner that points inwards.
+  for (const double joint_mm : {0.0, 8.0}) {
+    const Pavement paved = bonded(Bond::running, {200, 100}, joint_mm, concave_area(), BoundaryDirection{});
+    const StoneLayout layout = laid_stones(paved, 1);
+    EXPECT_EQ(faults(paved, layout).total(), 0U);
+    const LayoutQuality q = quality(paved, layout);
+    EXPECT_GE(q.coverage, 0.995);
+    EXPECT_GE(q.smallest, least_piece);
+    EXPECT_GT(q.whole, q.stones * 3 / 4);
   }
 }
 

@@ -1,0 +1,14 @@
+// Rows that follow a line: the outline and holes, or guides.
+#pragma once
+
+#include "geometry/region_index.h"
+#include "paving/pavement.h"
+#include "paving/tiling.h"
+
+namespace shatterpave::paving {
+
+// Rows of one depth, pitch.y, parallel to the outline and holes of the area (boundary) or to the guides, which run in a joint
+// and are taken to go straight on beyond their ends. `offset` as in running bond.
+std::vector<Tile> parallel_tiles(const Pavement& pavement, vec2 pitch, double offset, const geometry::RegionIndex& area);
+
+}  // namespace shatterpave::paving

@@ -8,6 +8,9 @@
 
 namespace shatterpave::glass {
 
+// Growth::count_dispersion of the nineteen measured panes (Table 1, by 18 degrees of freedom), where eq. 5 has 1.
+inline constexpr double table_1_dispersion = 29.6;
+
 struct Preset {
   std::string_view name;   // such as "agui1992-fig15a"
   int radial_count = 0;    // M

@@ -76,6 +76,7 @@ void read_growth(const TomlTable& pane, Growth& growth) {
                                            "time_step",
                                            "reference_radial_count",
                                            "energy_exponent",
+                                           "count_law",
                                            "count_dispersion",
                                            "circular_threshold",
                                            "circular_slope",
@@ -95,6 +96,9 @@ void read_growth(const TomlTable& pane, Growth& growth) {
                                            "ring_pull",
                                            "ring_onset"});
   if (!table) return;
+  if (const auto law = table->choice("count_law", {"poisson", "table1"})) {
+    growth.count_dispersion = *law == 0 ? 1.0 : glass::table_1_dispersion;
+  }
   for (const GrowthNumber& number : growth_numbers) table->read(number.key, number.range, growth.*number.member);
   read_angle(*table, "sector_angle_deg", {1.0, 180.0}, growth.sector_angle);
   read_angle(*table, "turn_limit_deg", {0.0, 90.0}, growth.turn_limit);

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "core/functions.h"
 #include "glass/presets.h"
+#include "measure/count_law.h"
+#include "measure/experiment.h"
 #include "support/laws.h"
 
 namespace shatterpave::glass {
@@ -120,6 +123,53 @@ TEST(Counts, RadialsAreAsDispersedAsAsked) {
   const std::vector<double> counts = radial_counts(20000, 95.7, 29.6);
   EXPECT_NEAR(mean_of(counts), 95.7, 5.0 * std::sqrt(95.7 * 29.6 / 20000.0));
   EXPECT_NEAR(variance_of(counts) / mean_of(counts), 29.6, 2.0);
+}
+
+constexpr int last_count = 999;
+
+double chi_square_of(const std::vector<double>& sample, const std::vector<double>& probabilities) {
+  std::vector<double> observed(probabilities.size(), 0.0);
+  std::vector<double> expected;
+  for (const double m : sample) observed[static_cast<std::size_t>(std::min<double>(m, last_count))] += 1.0;
+  for (const double p : probabilities) expected.push_back(p * static_cast<double>(sample.size()));
+  return support::chi_square_p(observed, expected);
+}
+
+TEST(Counts, RadialsAreNegativeBinomialWhereAsked) {
+  const std::vector<double> counts = radial_counts(4000, 95.7, table_1_dispersion);
+  EXPECT_GT(chi_square_of(counts, measure::probabilities({95.7, table_1_dispersion}, last_count)), support::significance());
+  // The twins: three quarters of that dispersion, and a mean that is off by 10 %.
+  EXPECT_LT(chi_square_of(counts, measure::probabilities({95.7, 22.0}, last_count)), support::significance());
+  EXPECT_LT(chi_square_of(counts, measure::probabilities({105.3, table_1_dispersion}, last_count)), support::significance());
+}
+
+// The nineteen panes of Table 1 cannot have come by a Poisson law; by the negative binomial one of their moments they can.
+TEST(Counts, OfTable1AreOverdispersed) {
+  std::vector<double> panes;
+  for (const measure::ExperimentPane& pane : measure::experiment_panes()) panes.push_back(pane.radial_count);
+  EXPECT_NEAR(mean_of(panes), 95.7, 0.05);
+  EXPECT_NEAR(variance_of(panes) / mean_of(panes), table_1_dispersion, 0.05);
+  const auto by = [&](const std::vector<double>& probabilities) {
+    return support::kolmogorov_p(panes, [&](double m) {
+      return std::accumulate(probabilities.begin(), probabilities.begin() + static_cast<int>(m) + 1, 0.0);
+    });
+  };
+  EXPECT_GT(by(measure::probabilities({95.7, table_1_dispersion}, last_count)), support::significance());
+  EXPECT_LT(by(measure::probabilities({95.7, 1.0}, last_count)), support::significance());
+}
+
+// Where the law is all tail: most draws are 0, which is none at all, so 1; and none exceeds the limit.
+TEST(Counts, StayInRangeAtAnyDispersion) {
+  for (const double mean : {1.0, 3.0, 95.7, 10000.0}) {
+    for (const double dispersion : {1.0, 1.0 + 1e-9, 2.0, 1000.0}) {
+      const std::vector<double> counts = radial_counts(300, mean, dispersion);
+      EXPECT_GE(std::ranges::min(counts), 1.0) << mean << " " << dispersion;
+      EXPECT_LE(std::ranges::max(counts), static_cast<double>(largest_radial_count)) << mean << " " << dispersion;
+    }
+  }
+  EXPECT_GT(std::ranges::count(radial_counts(300, 1.0, 1000.0), 1.0), 270);
+  EXPECT_NEAR(mean_of(radial_counts(4000, 3000.0, 1000.0)), 3000.0, 5.0 * std::sqrt(3000.0 * 1000.0 / 4000.0));
+  EXPECT_NEAR(mean_of(radial_counts(4000, 95.7, 1.0 + 1e-9)), 95.7, 5.0 * std::sqrt(95.7 / 4000.0));
 }
 
 // The law that `spread_about` follows: normal, cut at its limits.

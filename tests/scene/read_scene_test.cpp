@@ -137,6 +137,7 @@ TEST(ReadScene, EveryGrowthKeyReachesItsValue) {
                                          "reference_radial_count = 90",
                                          "energy_exponent = 1",
                                          "count_dispersion = 2",
+                                         "count_law = \"table1\"",
                                          "circular_threshold = 71",
                                          "circular_slope = 0.06",
                                          "circular_offset = 0.6",

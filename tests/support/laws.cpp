@@ -8,6 +8,19 @@
 
 namespace shatterpave::support {
 
+namespace {
+
+// How likely the distance of Kolmogorov and Smirnov is as large for `n` values, by Stephens's correction.
+double tail(double distance, double n) {
+  const double scaled = distance * (std::sqrt(n) + 0.12 + 0.11 / std::sqrt(n));
+  if (scaled < 0.2) return 1.0;  // to 12 digits, where the series hardly converges
+  double p = 0.0;
+  for (int k = 1; k <= 100; ++k) p += (k % 2 == 1 ? 2.0 : -2.0) * std::exp(-2.0 * k * k * scaled * scaled);
+  return std::clamp(p, 0.0, 1.0);
+}
+
+}  // namespace
+
 double significance() { return 1.0 - std::pow(0.99, 1.0 / tests_of_laws); }
 
 double chi_square_p(const std::vector<double>& observed, const std::vector<double>& expected) {
@@ -42,10 +55,23 @@ double kolmogorov_p(std::vector<double> sample, const std::function<double(doubl
     const double law = distribution(sample[i]);
     distance = std::max({distance, law - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - law});
   }
-  const double scaled = distance * (std::sqrt(n) + 0.12 + 0.11 / std::sqrt(n));
-  double p = 0.0;
-  for (int k = 1; k <= 100; ++k) p += (k % 2 == 1 ? 2.0 : -2.0) * std::exp(-2.0 * k * k * scaled * scaled);
-  return std::clamp(p, 0.0, 1.0);
+  return tail(distance, n);
+}
+
+double kolmogorov_p(std::vector<double> sample, std::vector<double> other) {
+  ENSURE(sample.size() >= 5 && other.size() >= 5);
+  std::ranges::sort(sample);
+  std::ranges::sort(other);
+  const auto n = static_cast<double>(sample.size());
+  const auto m = static_cast<double>(other.size());
+  double distance = 0.0;
+  for (std::size_t i = 0, j = 0; i < sample.size() && j < other.size();) {
+    const double x = std::min(sample[i], other[j]);
+    while (i < sample.size() && sample[i] == x) ++i;
+    while (j < other.size() && other[j] == x) ++j;
+    distance = std::max(distance, std::abs(static_cast<double>(i) / n - static_cast<double>(j) / m));
+  }
+  return tail(distance, n * m / (n + m));
 }
 
 }  // namespace shatterpave::support

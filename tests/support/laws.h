@@ -10,7 +10,7 @@
 namespace shatterpave::support {
 
 // How many tests of laws the project has; raise it with each that is added.
-inline constexpr int tests_of_laws = 16;
+inline constexpr int tests_of_laws = 20;
 
 // The p below which one test rejects: 1 - (1 - 0.01)^(1 / tests_of_laws).
 double significance();
@@ -22,5 +22,8 @@ double chi_square_p(const std::vector<double>& observed, const std::vector<doubl
 // The test of Kolmogorov and Smirnov against a continuous distribution function, by the limit law with Stephens's correction
 // for finite samples (J. R. Stat. Soc. B 32, 1970), which is good for 5 values and more.
 double kolmogorov_p(std::vector<double> sample, const std::function<double(double)>& distribution);
+
+// The same of two samples: whether they are of one law. Their values must not depend on one another.
+double kolmogorov_p(std::vector<double> sample, std::vector<double> other);
 
 }  // namespace shatterpave::support

@@ -31,5 +31,17 @@ TEST(Laws, KolmogorovAgreesWithTables) {
   EXPECT_NEAR(kolmogorov_p(sample, [](double x) { return std::clamp(x, 0.0, 1.0); }), 0.05, 2e-3);
 }
 
+TEST(Laws, KolmogorovOfTwoSamplesAgreesWithTables) {
+  // For two samples of 100 the 5 % point of the distance is 1.358 sqrt(2 / 100) = 0.192 (Smirnov 1948).
+  std::vector<double> sample;
+  std::vector<double> moved;
+  for (int i = 0; i < 100; ++i) {
+    sample.push_back(i);
+    moved.push_back(i < 19 ? 1000.0 : i);
+  }
+  EXPECT_NEAR(kolmogorov_p(sample, moved), 0.05, 0.01);
+  EXPECT_EQ(kolmogorov_p(sample, sample), 1.0);
+}
+
 }  // namespace
 }  // namespace shatterpave::support

@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Draws docs/pictures/agui1992_plate.svg: the twelve presets side by side, as Figs. 14 to 16 of Agui et al. 1992 show them.
+#   docs/plate.sh [--seed N] [FILE.svg]
+# Builds the command if need be, exports the twelve panes as SVG and as JSON by it, and sets them on one page.
+set -euo pipefail
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=../.ci/setup.sh
+source "$here/../.ci/setup.sh"
+
+# Figure, letter and what §4.3 prints of it: M R N V1 V2 V3.
+experiments="
+14 a 113 6 11 30 5 10
+14 b 104 5 10 40 5 10
+14 c 113 6 11 50 5 10
+14 d 95 5 10 60 5 10
+15 a 114 6 11 40 10 10
+15 b 98 5 10 40 10 10
+15 c 105 5 10 40 10 10
+15 d 92 5 9 40 10 10
+16 a 104 5 10 40 10 10
+16 b 89 4 8 40 10 10
+16 c 108 5 9 40 10 10
+16 d 96 5 10 40 10 10"
+
+seed=1 target=$here/pictures/agui1992_plate.svg
+while (($#)); do
+  case $1 in
+    --seed) (($# > 1)) || { say "plate.sh: --seed: a value is missing"; exit 2; }; seed=$2; shift ;;
+    -*) say "plate.sh: unknown option $1"; exit 2 ;;
+    *) target=$1 ;;
+  esac
+  shift
+done
+
+install_packages build || exit 1
+build_release shatterpave_command || exit 1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+while read -r figure letter _; do
+  printf '[[pane]]\nname = "fig%s%s"\npreset = "agui1992-fig%s%s"\n' "$figure" "$letter" "$figure" "$letter"
+done <<<"${experiments#?}" >"$scratch/plate.toml"
+"$root/build/shatterpave" export "$scratch/plate.toml" -o "$scratch" --seed "$seed" --target svg --target json >/dev/null
+
+# What was exported is what the captions say.
+counts=$(tr -d ' \n' <"$scratch/plate.json" |
+  grep -o '"radial_count":[0-9]*,"large_count":[0-9]*,"circular_count":[0-9]*' | tr -dc '0-9,\n')
+printed=$(awk 'NF { print $3 "," $5 "," $4 }' <<<"$experiments")
+[[ $counts == "$printed" ]] || { say "plate.sh: the panes have other counts than their captions"; exit 1; }
+
+# The cracks of one drawing, as one path a kind: relative, in tenths of a millimetre, which halves the size of the plate and is
+# less than a pixel of it.
+paths() {
+  awk -F'"' '
+    /<polyline class="crack/ {
+      split($2, kind, " ")
+      n = split($6, points, " ")
+      px = py = 0
+      d = ""
+      for (i = 1; i <= n; ++i) {
+        split(points[i], p, ",")
+        x = sprintf("%.0f", 10 * p[1]); y = sprintf("%.0f", 10 * p[2])
+        if (i > 1 && x == px && y == py) continue
+        if (i == 1) d = "M" x " " y "l"
+        else d = d (x - px < 0 || substr(d, length(d)) == "l" ? "" : " ") (x - px) (y - py < 0 ? "" : " ") (y - py)
+        px = x; py = y
+      }
+      all[kind[2]] = all[kind[2]] d
+    }
+    END {
+      split("radial large circular", kinds, " ")
+      for (i = 1; i in kinds; ++i) printf "<path class=\"%s\" d=\"%s\"/>\n", kinds[i], all[kinds[i]]
+    }' "$1"
+}
+
+# Three rows of four panes; each takes 300 mm and 24 mm to the next, and a caption below.
+page() {
+  cat <<'HEAD'
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 13200 10620">
+<title>The twelve experiments of Agui et al. 1992, Figs. 14 to 16, by shatterpave</title>
+<style>
+rect{fill:#fff;stroke:#000;stroke-width:6}
+path{fill:none;stroke:#222;stroke-width:5;stroke-linejoin:round;stroke-linecap:round}
+.large{stroke:#000;stroke-width:8}
+text{font:105px sans-serif;text-anchor:middle}
+</style>
+<rect x="-9" y="-9" width="13218" height="10638" style="stroke:none"/>
+HEAD
+  local place=0 column row figure letter m r n v1 v2 v3 law
+  while read -r figure letter m r n v1 v2 v3; do
+    ((figure == 16)) && law=uniform || law=normal
+    ((column = place % 4, row = place / 4)) || true
+    printf '<g transform="translate(%d %d)">\n<rect width="3000" height="3000"/>\n' "$((150 + column * 3300))" "$((150 + row * 3500))"
+    printf '<g transform="translate(0 3000)">\n'
+    paths "$scratch/plate-fig$figure$letter.svg"
+    printf '</g>\n<text x="1500" y="3140">Fig. %s (%s), %s: M %s, R %s, N %s</text>\n' "$figure" "$letter" "$law" "$m" "$r" "$n"
+    printf '<text x="1500" y="3265">V1 %s, V2 %s, V3 %s</text>\n</g>\n' "$v1" "$v2" "$v3"
+    ((++place))
+  done <<<"${experiments#?}"
+  printf '</svg>\n'
+}
+
+page >"$scratch/page.svg"
+mv "$scratch/page.svg" "$target"
+printf '%s\n' "$target"

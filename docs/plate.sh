@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws docs/pictures/agui1992_plate.svg: the twelve presets side by side, as Figs. 14 to 16 of Agui et al. 1992 show them.
-#   docs/plate.sh [--seed N] [FILE.svg]
-# Builds the command if need be, exports the twelve panes as SVG and as JSON by it, and sets them on one page.
+#   docs/plate.sh [--seed N] [--command SHATTERPAVE] [FILE.svg]
+# Exports the twelve panes as SVG and as JSON by the command, which it builds unless one is given, and sets them on one page.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=../.ci/setup.sh
@@ -22,25 +22,31 @@ experiments="
 16 c 108 5 9 40 10 10
 16 d 96 5 10 40 10 10"
 
-seed=1 target=$here/pictures/agui1992_plate.svg
+seed=1 command='' target=$here/pictures/agui1992_plate.svg
 while (($#)); do
   case $1 in
-    --seed) (($# > 1)) || { say "plate.sh: --seed: a value is missing"; exit 2; }; seed=$2; shift ;;
+    --seed | --command)
+      (($# > 1)) || { say "plate.sh: $1: a value is missing"; exit 2; }
+      if [[ $1 == --seed ]]; then seed=$2; else command=$2; fi
+      shift ;;
     -*) say "plate.sh: unknown option $1"; exit 2 ;;
     *) target=$1 ;;
   esac
   shift
 done
 
-install_packages build || exit 1
-build_release shatterpave_command || exit 1
+if [[ -z $command ]]; then
+  install_packages build || exit 1
+  build_release shatterpave_command || exit 1
+  command=$root/build/shatterpave
+fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 while read -r figure letter _; do
   printf '[[pane]]\nname = "fig%s%s"\npreset = "agui1992-fig%s%s"\n' "$figure" "$letter" "$figure" "$letter"
 done <<<"${experiments#?}" >"$scratch/plate.toml"
-"$root/build/shatterpave" export "$scratch/plate.toml" -o "$scratch" --seed "$seed" --target svg --target json >/dev/null
+"$command" export "$scratch/plate.toml" -o "$scratch" --seed "$seed" --target svg --target json >/dev/null
 
 # What was exported is what the captions say.
 counts=$(tr -d ' \n' <"$scratch/plate.json" |

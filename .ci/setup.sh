@@ -53,6 +53,10 @@ install_packages() {
   }
 }
 
+# Makes sure that there is an npm. Many machines have one with a Node.js that is not Debian's, and beside it Debian's own cannot be
+# installed.
+install_npm() { command -v npm >/dev/null || install_packages plots; }
+
 # build_release [TARGET] [-DOPTION…]: configures and builds build/; where nothing has changed it takes about a second.
 build_release() {
   local target=$1

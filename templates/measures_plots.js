@@ -12,7 +12,7 @@
     axis: {
       domainColor: "var(--rule)", tickColor: "var(--rule)", gridColor: "var(--grid)", labelColor: "var(--soft)",
       titleColor: "var(--soft)", labelFontSize: 11, titleFontSize: 11.5, titleFontWeight: 400, titlePadding: 8, tickSize: 4,
-      labelPadding: 4,
+      labelPadding: 4, labelFlush: false,
     },
   };
 
@@ -30,9 +30,9 @@
   const against_count = (part, title) => {
     const x = x_axis("M, radial cracks", { scale: { zero: true, nice: true } });
     const y = y_axis(title, { scale: { zero: true, nice: true } });
-    const cloud = Math.max(0.15, Math.min(0.55, 40 / Math.sqrt(part.points.length + 1) / 10));
+    const cloud = Math.max(0.25, Math.min(0.7, 8 / Math.sqrt(part.points.length + 1)));
     return base([
-      { data: points(part.points), mark: { type: "circle", size: 18, color: made, opacity: cloud }, encoding: { x, y } },
+      { data: points(part.points), mark: { type: "circle", size: 22, color: made, opacity: cloud }, encoding: { x, y } },
       { data: points(part.line), mark: { type: "line", color: made, strokeWidth: 1.75 }, encoding: { x, y } },
       { data: points(part.panes_line), mark: { type: "line", color: real, strokeWidth: 1.75, strokeDash: [6, 3] }, encoding: { x, y } },
       { data: points(part.panes), mark: { type: "circle", size: 46, color: real, opacity: 1 }, encoding: { x, y } },
@@ -41,7 +41,7 @@
 
   const bars = (cells, x, y) => ({
     data: { values: cells.map(([low, high, share]) => ({ low, high, share })) },
-    mark: { type: "rect", color: made, opacity: 0.8, stroke: "var(--card)", strokeWidth: 0.75 },
+    mark: { type: "rect", clip: true, color: "var(--bar)", stroke: "var(--card)", strokeWidth: 0.75 },
     encoding: { x: { ...x, field: "low" }, x2: { field: "high" }, y: { ...y, field: "share" }, y2: { datum: 0 } },
   });
 
@@ -62,9 +62,10 @@
   };
 
   const counts = (part) => {
-    const x = x_axis("M, radial cracks", { scale: { zero: true, nice: true } });
+    const highest = Math.max(...part.cells.map((cell) => cell[1]), ...part.panes);
+    const x = x_axis("M, radial cracks", { scale: { domain: [0, highest], nice: false } });
     const line = (values, mark) => ({
-      data: points(values), mark: { type: "line", interpolate: "monotone", strokeWidth: 1.5, ...mark }, encoding: { x, y: share_axis },
+      data: points(values), mark: { type: "line", strokeWidth: 1.5, ...mark }, encoding: { x, y: share_axis },
     });
     return base([
       bars(part.cells, x, share_axis),

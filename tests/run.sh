@@ -9,7 +9,8 @@ source "$here/../.ci/setup.sh"
 trap 'exit 130' INT
 trap 'exit 143' TERM
 install_packages build render test || exit 1
-build_release all -DSHATTERPAVE_TESTS=ON || exit 1
+install_npm || exit 1
+build_release all -DSHATTERPAVE_TESTS=ON -DSHATTERPAVE_PLOTS=REQUIRED || exit 1
 
 results=$root/build/test-results.xml
 rm -f "$results"

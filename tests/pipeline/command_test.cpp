@@ -164,7 +164,7 @@ TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
          "shatterpave: --size: expected WxH with 1 to 16384 pixels each, got \"640\"");
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{},
-                                             {"measure", "s.toml"},
+                                             {"trace", "s.toml"},
                                              {"export", "s.toml"},
                                              {"check", "s.toml", "--colour"},
                                              {"export", "s.toml", "-o", "out", "--target", "blender"}}) {
@@ -175,6 +175,58 @@ TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     EXPECT_EQ(files_in(root), before);
   }
+}
+
+TEST_F(Command, MeasuresTheSameBytesWithAnyThreads) {
+  const auto measured = [&](const std::string& folder, const std::string& threads, const std::string& seed) {
+    const Outcome result = command(
+        {"measure", "s.toml", "-o", folder, "--seeds", "3", "--radials", "24..90", "--threads", threads, "--seed", seed});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(result.out.starts_with(folder + "/s-measures.csv\n" + folder + "/s-measures.json\n")) << result.out;
+    // Without the plotting library there is no report, and one line that says so.
+    EXPECT_EQ(result.err.empty(), result.out.ends_with("s-measures.html\n")) << result.err;
+    return files_in(root / folder);
+  };
+  const Files first = measured("one", "1", "3");
+  EXPECT_GE(first.size(), 2U);
+  EXPECT_EQ(measured("two", "2", "3"), first);
+  EXPECT_NE(measured("other", "2", "4"), first);
+}
+
+TEST_F(Command, WrongUsageOfMeasureEndsWithTwoAndWritesNothing) {
+  write_file(root / "path.toml", "[[pavement]]\nname = \"p\"\nsize_mm = [900, 900]\n");
+  const Files before = files_in(root);
+  const auto expect = [&](const std::vector<std::string>& options, const std::string& message) {
+    std::vector<std::string> arguments = {"measure"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome result = command(arguments);
+    EXPECT_EQ(result.status, 2) << message;
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_EQ(files_in(root), before);
+  };
+  expect({"s.toml", "-o", "out"}, "shatterpave: --seeds is required");
+  expect({"s.toml", "--seeds", "3"}, "shatterpave: -o is required");
+  expect({"s.toml", "-o", "out", "--seeds", "0"}, "shatterpave: --seeds: ");
+  expect({"s.toml", "-o", "out", "--seeds", "-3"}, "shatterpave: ");
+  expect({"s.toml", "-o", "out", "--seeds", "many"}, "shatterpave: ");
+  expect({"s.toml", "-o", "out", "--seeds", "100001"}, "shatterpave: --seeds: ");
+  for (const char* radials : {"24", "24..", "..195", "0..5", "9..8", "24..10001", "24...195", "a..b"}) {
+    expect({"s.toml", "-o", "out", "--seeds", "3", "--radials", radials},
+           std::string("shatterpave: --radials: expected LOW..HIGH, whole numbers from 1 to 10000, got \"") + radials + "\"");
+  }
+  expect({"path.toml", "-o", "out", "--seeds", "3"}, "path.toml: expected one or more tables [[pane]] to measure");
+  expect({"none.toml", "-o", "out", "--seeds", "3"}, "none.toml: expected a file");
+}
+
+// What stands in the way of the last file takes back the ones before it.
+TEST_F(Command, FailingMeasureLeavesWhatWasThere) {
+  fs::create_directories(root / "out/s-measures.json");
+  write_file(root / "out/s-measures.csv", "old");
+  const Files before = files_in(root);
+  EXPECT_EQ(command({"measure", "s.toml", "-o", "out", "--seeds", "2"}).status, 2);
+  EXPECT_EQ(files_in(root), before);
 }
 
 TEST_F(Command, ShowsHelpAndVersion) {

@@ -134,14 +134,13 @@ int count_cell_width(int highest) {
   return width;
 }
 
-// The law in each cell, in per cent, at the middle of the cell.
-Json law_data(const measure::CountLaw& law, int width, int cells) {
-  const std::vector<double> probabilities = measure::probabilities(law, width * cells - 1);
+// What the law gives for cells of `width`, in per cent, about each of some 200 M up to `highest`.
+Json law_data(const measure::CountLaw& law, int width, int highest) {
+  const std::vector<double> probabilities = measure::probabilities(law, highest);
+  const int step = std::max(highest / 200, 1);
   Json result = Json::array();
-  for (int cell = 0; cell < cells; ++cell) {
-    double sum = 0.0;
-    for (int k = 0; k < width; ++k) sum += probabilities[static_cast<std::size_t>(cell * width + k)];
-    result.push_back({rounded(width * (cell + 0.5) - 0.5), rounded(100.0 * sum)});
+  for (int m = 0; m <= highest; m += step) {
+    result.push_back({m, rounded(100.0 * width * probabilities[static_cast<std::size_t>(m)])});
   }
   return result;
 }
@@ -162,9 +161,10 @@ Json count_data(const Survey& survey) {
     if (!pane.impacts.empty()) histogram.add(pane.impacts.front().drawn.radial_count);
   }
   Json result = {{"cells", histogram_data(histogram)}, {"panes", panes}};
-  const measure::CountLaw poisson{survey.count_law ? survey.count_law->mean : drawn.mean(), 1.0};
-  result["poisson"] = poisson.mean > 0.0 ? law_data(poisson, width, cells) : Json::array();
-  result["dispersed"] = law_data({experiment.mean(), experiment.variance() / experiment.mean()}, width, cells);
+  // A sweep follows no law.
+  const bool drawn_by_law = !survey.sweep && drawn.mean() > 0.0;
+  result["poisson"] = drawn_by_law ? law_data({drawn.mean(), 1.0}, width, highest) : Json::array();
+  result["dispersed"] = law_data({experiment.mean(), experiment.variance() / experiment.mean()}, width, highest);
   return result;
 }
 
@@ -190,7 +190,8 @@ std::string findings_rows(const measure::Summary& summary) {
     put(out,
         "<tr id=\"{}\"><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{} {}</td>"
         "<td><span class=\"verdict {}\">{}</span></td></tr>\n",
-        finding.id, finding.quantity, target_of(finding), figure_of(finding), finding.count, finding.counted, word, word);
+        finding.id, finding.quantity, target_of(finding), figure_of(finding), grouped(finding.count), finding.counted, word,
+        word);
   }
   return fmt::to_string(out);
 }
@@ -303,13 +304,14 @@ std::string measures_report(const Survey& survey) {
   fill(page, "title", escaped(survey.name));
   fill(page, "name", escaped(survey.name));
   fill(page, "seeds", fmt::format("{} … {}", survey.first_seed, survey.first_seed + (survey.seed_count - 1)));
-  fill(page, "panes", fmt::format("{}", survey.panes.size()));
+  fill(page, "panes", grouped(survey.panes.size()));
   fill(page, "counts",
        fmt::format("{:.0f} … {:.0f}, mean {:.1f}, variance / mean {:.1f}; {}", counts.least(), counts.greatest(), counts.mean(),
                    counts.variance() / std::max(counts.mean(), 1.0), count_words(survey)));
   fill(page, "verdicts", verdict_words(survey.summary));
   fill(page, "findings", findings_rows(survey.summary));
   fill(page, "sample", survey.panes.size() > most_points ? fmt::format(" Points: the first {} panes.", most_points) : "");
+  fill(page, "law", survey.sweep ? ", which were set" : ". Thin line: Poisson with their mean (eq. 5)");
   fill(page, "pane_rows", pane_rows(survey));
   fill(page, "specimens", contact_sheet(survey));
   fill(page, "vega_licence", escaped(embedded_text(vega_licence)));

@@ -24,7 +24,7 @@ int decimals_of(const Finding& finding) {
   if (is_two_sided(finding)) scale = finding.high - finding.low;
   if (scale == 0.0) return 0;
   int decimals = 2;
-  for (; scale < 0.1 && decimals < 6; scale *= 10.0) ++decimals;
+  for (; scale < 1.0 && decimals < 6; scale *= 10.0) ++decimals;
   for (; scale >= 10.0 && decimals > 0; scale *= 0.1) --decimals;
   return decimals;
 }
@@ -43,6 +43,12 @@ std::string typeset(std::string text) {
 }
 
 }  // namespace
+
+std::string grouped(std::size_t count) {
+  std::string text = fmt::format("{}", count);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
+  return text;
+}
 
 std::string_view word_of(measure::Verdict verdict) {
   switch (verdict) {

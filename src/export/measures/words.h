@@ -1,6 +1,7 @@
 // How the files of `measure` put a finding into words.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,9 @@ namespace shatterpave::exporting {
 
 // "holds", "fails", "open". Promised to users.
 std::string_view word_of(measure::Verdict verdict);
+
+// "68,191".
+std::string grouped(std::size_t count);
 
 // The range in which a figure is wanted: "0.0615 ± 0.006", "≥ 99 %", "0".
 std::string target_of(const measure::Finding& finding);

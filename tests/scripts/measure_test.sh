@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Runs `measure` and opens its report in Chromium, without network: every plot must be drawn, nothing may be fetched, and a page
+# with a broken plot, without the library or with a foreign resource must be found out.
+#   measure_test.sh BUILD   the build folder
+set -euo pipefail
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+build=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+fail() { printf '%s\n' "$*"; exit 1; }
+
+cat >"$scratch/panes.toml" <<'TOML'
+seed = 3
+[[pane]]
+name = "window"
+preset = "agui1992-fig15a"
+[[pane]]
+name = "drawn"
+size_mm = [200, 150]
+impact = [{at_mm = [90, 80], mean_radial_count = 60}]
+TOML
+"$build/shatterpave" measure "$scratch/panes.toml" --seeds 6 -o "$scratch/out" >"$scratch/list" 2>"$scratch/messages"
+[[ ! -s $scratch/messages ]] || fail "expected no message, got: $(<"$scratch/messages")"
+[[ $(wc -l <"$scratch/list") == 3 ]] || fail "expected three files, got: $(<"$scratch/list")"
+
+# opened PAGE: the page as it is once its scripts have run, and what the browser says of it.
+opened() {
+  chromium --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking --disable-component-update \
+    --disable-sync --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir="$scratch/browser" --enable-logging=stderr \
+    --virtual-time-budget=10000 --dump-dom "file://$1" 2>"$scratch/console"
+  # Errors of scripts, and what the page asked for in vain, are told with the word CONSOLE.
+  grep CONSOLE "$scratch/console" || true
+}
+
+# sound PAGE: says what is wrong with a page, and fails; says nothing of a sound one.
+sound() {
+  opened "$1" >"$scratch/dom"
+  python3 "$here/measure_page.py" "$scratch/dom"
+}
+
+page=$scratch/out/panes-measures.html
+sound "$page" || fail "the report is not sound"
+
+# expect_unsound WHAT PATTERN REPLACEMENT: the page after one replacement must be found out.
+expect_unsound() {
+  python3 - "$page" "$scratch/twin.html" "$2" "$3" <<'PYTHON' || fail "the twin \"$1\" is like the page"
+import sys
+page, twin, what, by = sys.argv[1:]
+text = open(page, encoding="utf-8").read()
+assert what in text, what
+open(twin, "w", encoding="utf-8").write(text.replace(what, by, 1))
+PYTHON
+  if sound "$scratch/twin.html" >/dev/null; then fail "not found out: $1"; fi
+}
+expect_unsound "a plot with an unknown mark" 'type: "tick"' 'type: "stick"'
+expect_unsound "a page without Vega-Lite" 'var n="6.5.0";' 'throw 1;var n="6.5.0";'
+expect_unsound "a plot without data" '"turns":{"cells":[[' '"turns":{"cells":[],"none":[['
+expect_unsound "a picture from elsewhere" '<footer>' '<footer><img src="https://example.org/a.png" alt="">'
+expect_unsound "a style from elsewhere" '* { box-sizing' '@import "https://example.org/a.css"; * { box-sizing'

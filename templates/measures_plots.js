@@ -21,8 +21,8 @@
   });
 
   const axis = (field, title, more = {}) => ({ field, type: "quantitative", title, ...more });
-  const x_axis = (title, more = {}) => axis("x", title, { axis: { grid: false, tickCount: 7 }, ...more });
-  const y_axis = (title, more = {}) => axis("y", title, { axis: { domain: false, ticks: false, tickCount: 5 }, ...more });
+  const x_axis = (title, more = {}) => axis("x", title, { axis: { grid: false, tickCount: 7, zindex: 0 }, ...more });
+  const y_axis = (title, more = {}) => axis("y", title, { axis: { domain: false, ticks: false, tickCount: 5, zindex: 0 }, ...more });
 
   const points = (values) => ({ values: values.map(([x, y]) => ({ x, y })) });
 
@@ -80,7 +80,7 @@
     large: () => against_count(data.large, "N, reaching the edge"),
     ring: () => against_count(data.ring, "mean radius, mm"),
     turns: () => histogram(data.turns, "turn θ, degrees", -32.5, 32.5),
-    ratios: () => histogram(data.ratios, "d over its mean by M", 0.4, 1.6),
+    ratios: () => histogram(data.ratios, "d / (0.470 M + 13.90 mm)", 0.4, 1.6),
     counts: () => counts(data.counts),
     edge_angles: () => histogram(data.edge_angles, "angle, degrees", 45, 90),
   };

@@ -63,7 +63,7 @@ struct Survey {
   std::vector<SurveyedPane> panes;      // seed by seed, in each in the order of the scene
   Summary summary;                      // of all panes together
   std::vector<Summary> pane_summaries;  // of each pane of the scene
-  std::vector<Specimen> specimens;      // the first panes
+  std::vector<Specimen> specimens;      // the first panes; in a sweep some from all of it
 };
 
 }  // namespace shatterpave::measure

@@ -94,7 +94,7 @@ class Surveyor {
     Broken result;
     result.network = glass::grown_cracks(pane, seed_at(index));
     result.measures = measure::measured(result.network, pane);
-    if (index >= most_specimens) result.network = {};
+    if (!is_specimen(index)) result.network = {};
     return result;
   }
 
@@ -105,7 +105,7 @@ class Surveyor {
     measure::SurveyedPane row{seed_at(index), index % scene_.panes.size(), {}};
     for (const measure::ImpactMeasures& impact : broken.measures.impacts) row.impacts.push_back(measure::figures_of(impact));
     survey_.panes.push_back(std::move(row));
-    if (index < most_specimens) {
+    if (is_specimen(index)) {
       survey_.specimens.push_back({seed_at(index), pane_at(index), std::move(broken.network)});
     }
   }
@@ -117,6 +117,12 @@ class Surveyor {
   }
 
  private:
+  // The first panes; in a sweep as many, evenly over all of it.
+  bool is_specimen(std::size_t index) const {
+    if (!options_.sweep || index == 0) return index < most_specimens;
+    const auto share = [&](std::size_t i) { return i * most_specimens / count(); };
+    return count() <= most_specimens || share(index) != share(index - 1);
+  }
   std::uint64_t seed_at(std::size_t index) const { return scene_.seed + index / scene_.panes.size(); }
   glass::Pane pane_at(std::size_t index) const {
     return pane_of_seed(scene_.panes[index % scene_.panes.size()], options_, index / scene_.panes.size());

@@ -42,19 +42,20 @@ sound() {
 page=$scratch/out/panes-measures.html
 sound "$page" || fail "the report is not sound"
 
-# expect_unsound WHAT PATTERN REPLACEMENT: the page after one replacement must be found out.
+# expect_unsound WHAT FAULT PATTERN REPLACEMENT: the page after one replacement must be found to have that fault.
 expect_unsound() {
-  python3 - "$page" "$scratch/twin.html" "$2" "$3" <<'PYTHON' || fail "the twin \"$1\" is like the page"
+  python3 - "$page" "$scratch/twin.html" "$3" "$4" <<'PYTHON' || fail "the twin \"$1\" is like the page"
 import sys
 page, twin, what, by = sys.argv[1:]
 text = open(page, encoding="utf-8").read()
 assert what in text, what
 open(twin, "w", encoding="utf-8").write(text.replace(what, by, 1))
 PYTHON
-  if sound "$scratch/twin.html" >/dev/null; then fail "not found out: $1"; fi
+  if sound "$scratch/twin.html" >"$scratch/faults"; then fail "not found out: $1"; fi
+  grep -q "$2" "$scratch/faults" || fail "$1: expected \"$2\", found: $(<"$scratch/faults")"
 }
-expect_unsound "a plot with an unknown mark" 'type: "tick"' 'type: "stick"'
-expect_unsound "a page without Vega-Lite" 'var n="6.5.0";' 'throw 1;var n="6.5.0";'
-expect_unsound "a plot without data" '"turns":{"cells":[[' '"turns":{"cells":[],"none":[['
-expect_unsound "a picture from elsewhere" '<footer>' '<footer><img src="https://example.org/a.png" alt="">'
-expect_unsound "a style from elsewhere" '* { box-sizing' '@import "https://example.org/a.css"; * { box-sizing'
+expect_unsound "a plot with an unknown mark" 'the plot counts failed' 'type: "tick"' 'type: "stick"'
+expect_unsound "a page without Vega-Lite" 'the plot large failed' 'var n="6.5.0";' 'throw 1;var n="6.5.0";'
+expect_unsound "a plot without data" 'the plot turns: expected' '"turns":{"cells":[[' '"turns":{"cells":[],"none":[['
+expect_unsound "a picture from elsewhere" '<img src=' '<footer>' '<footer><img src="https://example.org/a.png" alt="">'
+expect_unsound "a style from elsewhere" 'the style loads something' '* { box-sizing' '@import "https://example.org/a.css"; * { box-sizing'

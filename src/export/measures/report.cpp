@@ -313,6 +313,7 @@ std::string measures_report(const Survey& survey) {
   fill(page, "sample", survey.panes.size() > most_points ? fmt::format(" Points: the first {} panes.", most_points) : "");
   fill(page, "law", survey.sweep ? ", which were set" : ". Thin line: Poisson with their mean (eq. 5)");
   fill(page, "pane_rows", pane_rows(survey));
+  fill(page, "specimens_title", survey.sweep ? "Panes along the sweep" : "The first panes");
   fill(page, "specimens", contact_sheet(survey));
   fill(page, "vega_licence", escaped(embedded_text(vega_licence)));
   fill(page, "vega_lite_licence", escaped(embedded_text(vega_lite_licence)));

@@ -38,7 +38,10 @@ class Line {
 
   std::size_t count() const { return points_.size(); }
   double total() const { return total_; }
-  double at(std::size_t vertex) const { return at_[vertex % count()] + static_cast<double>(vertex / count()) * total_; }
+  double at(std::size_t vertex) const {
+    const std::size_t rounds = vertex / count();
+    return at_[vertex % count()] + static_cast<double>(rounds) * total_;
+  }
   // Cosine of the turn at a vertex.
   double turn_cosine(std::size_t vertex) const { return glm::dot(normal_before(vertex), normals_[vertex % count()]); }
 
@@ -196,6 +199,7 @@ std::vector<Tile> without_overlaps(std::vector<Tile> tiles, double pitch_mm) {
     std::vector<Polygon> parts{tile.outline_mm};
     if (!found.empty()) {
       std::vector<Polygon> others;
+      others.reserve(found.size());
       for (const std::uint32_t k : found) others.push_back(kept[k].outline_mm);
       parts.clear();
       for (geometry::Region& part : geometry::difference({tile.outline_mm, {}}, others)) {

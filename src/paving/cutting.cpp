@@ -57,7 +57,8 @@ std::vector<Polygon> without_holes(const Region& region) {
   return parts;
 }
 
-std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const Region& region, const RegionIndex& index) {
+std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const Region& region, const RegionIndex& index,
+                                  double rounding_mm2) {
   Polygon whole = geometry::cleaned(cells.outline(cell));
   if (whole.empty()) return {};
   if (!index.border_meets(geometry::bounding_box(whole))) {
@@ -69,7 +70,8 @@ std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const 
   for (const Region& part : geometry::intersection(whole, region)) {
     if (geometry::area(part) < least_scrap * full) continue;
     for (Polygon& outline : without_holes(part)) {
-      const bool cut = outline.size() != whole.size() || geometry::area(outline) < whole_share * full;
+      const double left = geometry::area(outline);
+      const bool cut = full - left > rounding_mm2 && (outline.size() != whole.size() || left < whole_share * full);
       pieces.push_back({std::move(outline), cell, cut});
     }
   }
@@ -313,7 +315,7 @@ std::vector<Polygon> faces_of(const Polygon& piece, double joint_mm) {
 std::vector<Piece> pieces_within(const Cells& cells, const Region& region, const RegionIndex& index, const StoneSize& size) {
   std::vector<std::vector<Piece>> of_cell(cells.count());
   parallel_for(cells.count(), [&](std::size_t cell) {
-    of_cell[cell] = pieces_of_cell(cells, static_cast<std::uint32_t>(cell), region, index);
+    of_cell[cell] = pieces_of_cell(cells, static_cast<std::uint32_t>(cell), region, index, size.rounding_mm2);
   });
   std::vector<Piece> pieces;
   for (auto& some : of_cell) std::ranges::move(some, std::back_inserter(pieces));

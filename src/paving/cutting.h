@@ -25,6 +25,9 @@ struct Piece {
 struct StoneSize {
   double whole_face_mm2 = 0.0;
   double joint_mm = 0.0;
+  // A piece that lost no more of its cell than this is whole: cells that were set out along the border end there but for
+  // rounding.
+  double rounding_mm2 = -1.0;
 };
 
 // The pieces of the cells within `region`, of which `index` is made; none small that has a neighbour.

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "paving/bond.h"
+#include "paving/border.h"
 #include "paving/cells.h"
 #include "paving/cutting.h"
 #include "paving/packing.h"
@@ -31,7 +32,9 @@ double border_length(const geometry::RegionIndex& area) {
 // Whole stones by area, and cut ones by the length of the border.
 double expected_stones(const Pavement& pavement, const geometry::RegionIndex& area) {
   const vec2 pitch = pitch_mm(pavement);
-  return geometry::area(pavement.area) / (pitch.x * pitch.y) + border_length(area) / std::min(pitch.x, pitch.y);
+  const double border = pavement.border.course == BorderCourse::none ? 0.0 : 1.0 / border_stone_mm(pavement).x;
+  return geometry::area(pavement.area) / (pitch.x * pitch.y) +
+         border_length(area) * (1.0 / std::min(pitch.x, pitch.y) + border);
 }
 
 Place place_of(const Pavement& pavement) { return {{}, 0, 0, fmt::format("pavement '{}'", pavement.name)}; }
@@ -73,6 +76,9 @@ void check(const Pavement& pavement) {
   if (bad(bonding.span_mm, 0.0))
     throw InputError(place, fmt::format("bond_span_mm: expected 0 or more, got {}", bonding.span_mm));
   check_shape(pavement, place);
+  const vec2 border = border_stone_mm(pavement);
+  if (bad(border.x, 1.0) || bad(border.y, 1.0))
+    throw InputError(place, fmt::format("border_stone_mm: expected 1 or more, got [{}, {}]", border.x, border.y));
   if (pavement.area.outline.size() < 3 || geometry::area(pavement.area.outline) == 0.0) {
     throw InputError(place, "outline: expected a polygon with an area");
   }
@@ -103,12 +109,40 @@ Setting packed_setting(const Pavement& pavement, const geometry::RegionIndex& ar
           [field](const Piece&, const geometry::Polygon& face) { return field->angle(geometry::centroid(face)); }};
 }
 
-Setting bonded_setting(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed) {
-  const std::vector<Tile> tiles = bond_tiles(pavement, area, seed);
+Setting bonded_setting(const std::vector<Tile>& tiles) {
   std::vector<Angle> angles;
   for (const Tile& tile : tiles) angles.push_back(axis_angle(tile.axis));
   return {cells_of(tiles),
           [angles = std::move(angles)](const Piece& piece, const geometry::Polygon&) { return angles[piece.cell]; }};
+}
+
+// What rounding takes off a stone whose sides lie on the border.
+double rounding_mm2(vec2 stone_mm) {
+  constexpr double width_mm = 0.005;
+  return width_mm * (stone_mm.x + stone_mm.y);
+}
+
+// Appends the stones of what is set within `region`.
+void append_stones(const Setting& setting, const geometry::Region& region, const geometry::RegionIndex& index,
+                   const StoneSize& size, StoneLayout& layout) {
+  const auto pieces = pieces_within(setting.cells, region, index, size);
+  std::vector<std::vector<geometry::Polygon>> faces(pieces.size());
+  parallel_for(pieces.size(), [&](std::size_t p) { faces[p] = laid_faces(pieces[p], size); });
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    for (auto& face : faces[p]) {
+      const auto kind = pieces[p].cut || faces[p].size() > 1 ? StoneKind::cut : StoneKind::whole;
+      const Angle angle = setting.angle(pieces[p], face);
+      layout.stones.push_back({static_cast<int>(layout.stones.size()), kind, std::move(face), angle});
+    }
+  }
+}
+
+// The bond, within the border course if there is one.
+void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, StoneLayout& layout) {
+  const bool packed = pavement.bonding.bond == Bond::packed;
+  const Setting setting = packed ? packed_setting(pavement, area, seed) : bonded_setting(bond_tiles(pavement, area, seed));
+  append_stones(setting, pavement.area, area,
+                {whole_face_mm2(pavement), pavement.joint_mm, packed ? -1.0 : rounding_mm2(pavement.stone_mm)}, layout);
 }
 
 }  // namespace
@@ -121,20 +155,22 @@ StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
     throw InputError(place_of(pavement),
                      fmt::format("expected at most {:.0f} stones, got an area for about {:.0f}", most_stones, expected));
   }
-  const bool packed = pavement.bonding.bond == Bond::packed;
-  const Setting setting = packed ? packed_setting(pavement, area, seed) : bonded_setting(pavement, area, seed);
-  const StoneSize size{whole_face_mm2(pavement), pavement.joint_mm};
-  const auto pieces = pieces_within(setting.cells, pavement.area, area, size);
-
-  std::vector<std::vector<geometry::Polygon>> faces(pieces.size());
-  parallel_for(pieces.size(), [&](std::size_t p) { faces[p] = laid_faces(pieces[p], size); });
   StoneLayout layout;
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    for (auto& face : faces[p]) {
-      const auto kind = pieces[p].cut || faces[p].size() > 1 ? StoneKind::cut : StoneKind::whole;
-      const Angle angle = setting.angle(pieces[p], face);
-      layout.stones.push_back({static_cast<int>(layout.stones.size()), kind, std::move(face), angle});
-    }
+  if (pavement.border.course == BorderCourse::none) {
+    append_bond(pavement, area, seed, layout);
+    return layout;
+  }
+  BorderedArea parts = bordered_area(pavement);
+  const Setting course = bonded_setting(border_tiles(pavement, parts.course));
+  const vec2 stone = border_stone_mm(pavement);
+  for (const geometry::Region& region : parts.course) {
+    const StoneSize size{stone.x * stone.y, pavement.joint_mm, rounding_mm2(stone)};
+    append_stones(course, region, geometry::RegionIndex(region), size, layout);
+  }
+  Pavement within = pavement;
+  for (geometry::Region& region : parts.within) {
+    within.area = std::move(region);
+    append_bond(within, geometry::RegionIndex(within.area), seed, layout);
   }
   return layout;
 }

@@ -57,6 +57,19 @@ struct Bonding {
   bool operator==(const Bonding&) const = default;
 };
 
+// A course of stones along the outline and holes, within which the bond lies; mitred at corners.
+enum class BorderCourse {
+  none,
+  soldier,   // stones stand with their short side along the border
+  stretcher  // or lie with the long one
+};
+
+struct Border {
+  BorderCourse course = BorderCourse::none;
+  vec2 stone_mm{0.0, 0.0};  // along the border, across it; 0, 0: the pavement's own stones
+  bool operator==(const Border&) const = default;
+};
+
 // The upper surface of a stone: a cubic Bézier patch over its outline (§4 (1) of Miyata and Itoh). Values are means;
 // each stone draws its own within ± its spread (a fraction of the mean).
 struct StoneSurface {
@@ -81,6 +94,7 @@ struct Pavement {
   double joint_mm = 8.0;        // between faces of neighbours, >= 0; half of it stays free along outline and holes
   Direction direction;
   Bonding bonding;
+  Border border;
   StoneSurface surface;
   Relief relief;
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "geometry/lattice.h"
+#include "paving/stone_sizes.h"
 #include "scene/section.h"
 
 namespace shatterpave::scene {
@@ -65,6 +66,24 @@ paving::Bonding bonding_of(const TomlTable& pavement) {
   return bonding;
 }
 
+void read_stone_preset(const TomlTable& table, paving::Pavement& pavement) {
+  const auto chosen =
+      table.choice("stone_preset", {"mosaic_sett", "small_sett", "large_sett", "brick", "clinker", "waal", "flagstone"});
+  if (!chosen) return;
+  const paving::StonePreset& preset = paving::stone_presets.at(*chosen);
+  pavement.stone_mm = preset.stone_mm;
+  pavement.joint_mm = preset.joint_mm;
+}
+
+paving::Border border_of(const TomlTable& pavement) {
+  using paving::BorderCourse;
+  constexpr std::array courses = {BorderCourse::none, BorderCourse::soldier, BorderCourse::stretcher};
+  paving::Border border;
+  border.course = courses.at(pavement.choice("border_course", {"none", "soldier", "stretcher"}).value_or(0));
+  border.stone_mm = pavement.point("border_stone_mm", {1.0, 100'000.0}).value_or(border.stone_mm);
+  return border;
+}
+
 void read_surface(const TomlTable& pavement, paving::StoneSurface& surface) {
   const auto table = pavement.table("surface", {"height_mm", "height_spread", "inset", "inset_spread"});
   if (!table) return;
@@ -93,11 +112,13 @@ paving::Pavement pavement_of(const TomlTable& table) {
   paving::Pavement pavement;
   pavement.name = name_of(table);
   pavement.area = outline_of(table);
+  read_stone_preset(table, pavement);
   pavement.stone_mm = table.point("stone_mm", {1.0, 100'000.0}).value_or(pavement.stone_mm);
   table.read("joint_mm", {0.0, 1000.0}, pavement.joint_mm);
   limit_stones(table, pavement);
   pavement.direction = direction_of(table);
   pavement.bonding = bonding_of(table);
+  pavement.border = border_of(table);
   read_surface(table, pavement.surface);
   read_relief(table, pavement.relief);
   return pavement;
@@ -109,8 +130,9 @@ std::vector<paving::Pavement> pavements_of(const TomlTable& root) {
   std::vector<paving::Pavement> pavements;
   for (const TomlTable& table :
        root.tables("pavement", most_pavements,
-                   {"name", "size_mm", "outline_mm", "outline_file", "outline_feature", "outline_units", "holes_mm", "stone_mm",
-                    "joint_mm", "direction", "bond", "bond_offset", "bond_turn_deg", "bond_span_mm", "surface", "relief"})) {
+                   {"name", "size_mm", "outline_mm", "outline_file", "outline_feature", "outline_units", "holes_mm",
+                    "stone_preset", "stone_mm", "joint_mm", "direction", "bond", "bond_offset", "bond_turn_deg", "bond_span_mm",
+                    "border_course", "border_stone_mm", "surface", "relief"})) {
     pavements.push_back(pavement_of(table));
   }
   return pavements;

@@ -409,6 +409,61 @@ TEST(Bonds, RowsRoundAnOutlineCoverItWhateverItsShape) {
   }
 }
 
+// Stones of that area.
+std::size_t of_size(const StoneLayout& layout, double area_mm2) {
+  return static_cast<std::size_t>(std::ranges::count_if(layout.stones, [&](const Stone& stone) {
+    return std::abs(geometry::area(stone.outline_mm) - area_mm2) < 1e-4 * area_mm2;
+  }));
+}
+
+TEST(BorderCourse, IsAWholeNumberOfStonesBetweenMitres) {
+  // Inside sides of 2000 and 1000, with 208 mm of border about them: soldiers 104 mm apart along the middle of the course,
+  // which is 2208 and 1208 long: 20.44 and 11.2 of 108 mm, so 20 and 11 stones, of which the first and last are mitred.
+  Pavement paved = bonded(Bond::running, {200, 100}, 8, rectangle(2416, 1416));
+  paved.border.course = BorderCourse::soldier;
+  const StoneLayout layout = laid_stones(paved, 1);
+  EXPECT_EQ(faults(paved, layout).total(), 0U);
+  EXPECT_EQ(of_size(layout, (2208.0 / 20.0 - 8.0) * 200.0), 2U * 18U);
+  EXPECT_EQ(of_size(layout, (1208.0 / 11.0 - 8.0) * 200.0), 2U * 9U);
+  // Stretchers: 2308 / 208 = 11.1, 1308 / 208 = 6.3.
+  paved.border.course = BorderCourse::stretcher;
+  const StoneLayout stretchers = laid_stones(paved, 1);
+  EXPECT_EQ(of_size(stretchers, (2308.0 / 11.0 - 8.0) * 100.0), 2U * 9U);
+  EXPECT_EQ(of_size(stretchers, (1308.0 / 6.0 - 8.0) * 100.0), 2U * 4U);
+  paved.border.course = BorderCourse::none;
+  EXPECT_EQ(of_size(laid_stones(paved, 1), (2208.0 / 20.0 - 8.0) * 200.0), 0U);
+}
+
+TEST(BorderCourse, IsExactOnEveryAreaAboutEveryBond) {
+  for (const BondCase& bond : every_bond) {
+    for (const geometry::Region& area : {concave_area(), path_area()}) {
+      for (const double joint_mm : {0.0, bond.joint_mm}) {
+        Pavement paved = bonded(bond.bond, bond.stone_mm, joint_mm, area);
+        paved.border.course = BorderCourse::soldier;
+        const StoneLayout layout = laid_stones(paved, 3);
+        const LayoutFaults found = faults(paved, layout);
+        EXPECT_EQ(found.total(), 0U) << bond.name << ", joint " << joint_mm << ", corners " << area.outline.size() << ": "
+                                     << found.invalid << " invalid, " << found.overlaps << " overlaps, " << found.outside
+                                     << " outside";
+        EXPECT_GE(quality(paved, layout).coverage, 0.995) << bond.name;
+      }
+    }
+  }
+  for (const Direction& direction : {Direction(BoundaryDirection{}), Direction(RadialDirection{})}) {
+    Pavement paved = bonded(Bond::packed, {100, 100}, 8, concave_area(), direction);
+    paved.border = {BorderCourse::stretcher, {240, 120}};
+    EXPECT_EQ(faults(paved, laid_stones(paved, 3)).total(), 0U);
+  }
+}
+
+TEST(BorderCourse, FillsAreasTooNarrowForIt) {
+  Pavement paved = bonded(Bond::stack, {100, 100}, 8, {{{0, 0}, {3000, 0}, {3000, 80}, {0, 80}}, {}});
+  paved.border.course = BorderCourse::soldier;
+  const StoneLayout layout = laid_stones(paved, 1);
+  EXPECT_EQ(faults(paved, layout).total(), 0U);
+  EXPECT_GE(quality(paved, layout).coverage, 0.995);
+}
+
 TEST(Bonds, RefusesShapesThatABondCannotTake) {
   const geometry::Region area = path_area();
   EXPECT_THROW(static_cast<void>(laid_stones(bonded(Bond::herringbone, {100, 200}, 4, area), 1)), InputError);

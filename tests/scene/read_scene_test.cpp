@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "glass/presets.h"
+#include "paving/stone_sizes.h"
 
 namespace shatterpave::scene {
 namespace {
@@ -172,6 +173,26 @@ TEST(ReadScene, EveryPavementKeyReachesItsValue) {
   EXPECT_EQ(p.joint_mm, 4.0);
   EXPECT_EQ(p.surface, (paving::StoneSurface{9, 0.1, 0.2, 0.4}));
   EXPECT_EQ(p.relief, (paving::Relief{0.3, 0.5}));
+}
+
+TEST(ReadScene, StonePresetIsASizeThatKeysBesideItOverrule) {
+  const auto preset = [](const std::string& lines) { return read(path(lines)).pavements[0]; };
+  for (const paving::StonePreset& known : paving::stone_presets) {
+    const paving::Pavement p = preset("stone_preset = \"" + std::string(known.name) + "\"\n");
+    EXPECT_EQ(p.stone_mm, known.stone_mm) << known.name;
+    EXPECT_EQ(p.joint_mm, known.joint_mm) << known.name;
+  }
+  const paving::Pavement wider = preset("stone_preset = \"brick\"\njoint_mm = 5\n");
+  EXPECT_EQ(wider.stone_mm, vec2(200, 100));
+  EXPECT_EQ(wider.joint_mm, 5.0);
+}
+
+TEST(ReadScene, ReadsTheBorderCourse) {
+  const auto border = [](const std::string& lines) { return read(path(lines)).pavements[0].border; };
+  EXPECT_EQ(border(""), paving::Border{});
+  EXPECT_EQ(border("border_course = \"soldier\"\n").course, paving::BorderCourse::soldier);
+  EXPECT_EQ(border("border_course = \"stretcher\"\nborder_stone_mm = [240, 60]\n"),
+            (paving::Border{paving::BorderCourse::stretcher, {240, 60}}));
 }
 
 TEST(ReadScene, ReadsEveryBond) {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/angle.h"
 #include "core/random.h"
 #include "geometry/predicates.h"
 #include "glass/network_oracle.h"
@@ -104,6 +106,60 @@ TEST(CrackMap, AnImpactOnACrackBecomesAVertexOfIt) {
   const int second = started(map, {5000, 3000});
   EXPECT_EQ(map.points(first).size(), 3U);
   EXPECT_FALSE(map.extend(second, {5000, 9000}).has_value());
+}
+
+TEST(CrackMap, EndsOpenWhereItTurnsBackOverItself) {
+  CrackMap map(square, 1.0);
+  const int crack = started(map, {5000, 5000});
+  map.extend(crack, {7000, 5000});
+  const auto arrest = map.extend(crack, {4000, 5000});
+  ASSERT_TRUE(arrest.has_value());
+  EXPECT_EQ(arrest->end, (CrackEnd{CrackEnd::At::open, {}}));
+  EXPECT_EQ(map.tip(crack), (LatticePoint{7000, 5000}));
+}
+
+TEST(CrackMap, LeadsNoCrackThroughAVertexOfAnother) {
+  CrackMap map(square, 1.0);
+  const int met = started(map, {1000, 1000});
+  map.extend(met, {2000, 1017});  // at x = 1.1 mm it is 0.3 µm below the lowest vertex of the next
+  const int hanging = started(map, {1050, 1900});
+  map.extend(hanging, {1100, 1002});
+  map.extend(hanging, {1150, 1900});
+  const int arriving = started(map, {1100, 500});
+  ASSERT_TRUE(map.extend(arriving, {1100, 1500}).has_value());
+  const std::vector<ImpactCounts> impacts = {{{1.0, 1.0}}, {{1.05, 1.9}}, {{1.1, 0.5}}};
+  std::vector<Crack> cracks = map.cracks();
+  for (Crack& crack : cracks) crack.impact = crack.id;
+  EXPECT_EQ(faults({impacts, cracks}, square), std::vector<std::string>{});
+}
+
+TEST(CrackMap, LeadsNoCrackAlongTheEdgeAndOn) {
+  CrackMap map(square, 1.0);
+  const int met = started(map, {1, 5000});  // 1 µm beside the edge
+  map.extend(met, {1, 6000});
+  map.extend(met, {0, 7000});
+  const int arriving = started(map, {3000, 6600});
+  ASSERT_TRUE(map.extend(arriving, {-3000, 6600}).has_value());
+  std::vector<Crack> cracks = map.cracks();
+  for (Crack& crack : cracks) crack.impact = crack.id;
+  EXPECT_EQ(faults({{{{0.001, 5.0}}, {{3.0, 6.6}}}, cracks}, square), std::vector<std::string>{});
+}
+
+// From 1 µm beside a corner that points inwards, in every direction.
+TEST(CrackMap, EndsInsideAtCornersThatPointInwards) {
+  const geometry::Polygon notched = {{0, 0},        {1.741, 0},    {1.741, 0.212}, {1.239, 0.187},
+                                     {1.239, 0.02}, {0.87, 0.022}, {0.87, 0.132}};
+  const geometry::Polygon slanted = {{-2.0, -2.0}, {2.0, -2.0}, {2.0, 2.0}, {0.0, 0.0}, {-0.1, 2.0}, {-2.0, 2.0}};
+  for (const auto& [outline, from] : {std::pair{notched, LatticePoint{1238, 19}}, std::pair{slanted, LatticePoint{1, -1}},
+                                      std::pair{slanted, LatticePoint{-1, 0}}}) {
+    for (int i = 0; i < 360; ++i) {
+      CrackMap map(outline, 1.0);
+      const int crack = started(map, from);
+      const vec2 way = 4000.0 * Angle::degrees(i).direction();
+      map.extend(crack, {from.x + std::llround(way.x), from.y + std::llround(way.y)});
+      EXPECT_EQ(faults({{{geometry::to_mm(from)}}, map.cracks()}, outline), std::vector<std::string>{}) << i;
+    }
+  }
 }
 
 // Many cracks in very little room, where the lattice is coarse against what happens: 1,000 short steps within 0.06 mm.

@@ -19,6 +19,12 @@ biased_draws        | src/core/random.cpp             | s/0x1p-53/0x1.fp-54/    
 poisson_one_more    | src/core/random.cpp             | s/^  return k;/  return k + 1;/                    | -*Render*
 lattice_of_10_um    | src/geometry/lattice.h          | s/lattice_per_mm = 1000\.0/lattice_per_mm = 100.0/ | -*Render*
 warning_in_the_glass| templates/shatterpave_glass.inc | s/diffuse 0\.6\$/diffuse 0.6, 0.6/                 | *Render*pane*
+joints_unchecked    | src/glass/crack_map.cpp         | s/can_join(from, joint, hit\.segment)) return/true) return/ | Crack*:ClosedRegion*:Topology*:Growth.*
+vertices_of_others  | src/glass/crack_map.cpp         | s/is_taken(joint, met)) return false/false) return false/ | Crack*:ClosedRegion*:Topology*:Growth.*
+edge_met_unchecked  | src/glass/crack_map.cpp         | s/return within(from, joint, segment) \&\& /return / | Crack*:ClosedRegion*:Topology*:Growth.*
+off_the_edge        | src/glass/crack_map.cpp         | s/is_beside(joint, segment) \&\& //                | Crack*:ClosedRegion*:Topology*:Growth.*
+vertex_a_place_off  | src/glass/crack_map.cpp         | s/points\.begin() + place + 1/points.begin() + place/ | Crack*:ClosedRegion*:Topology*:Growth.*
+regions_unseen      | src/glass/crack_map.cpp         | s/closed_region(crack, segment\.owner)}/{}}/       | Crack*:ClosedRegion*:Topology*:Growth.*
 "
 
 scratch=$(mktemp -d)

@@ -14,6 +14,12 @@ inline constexpr double pi = std::numbers::pi;
 
 double sine(double radians);
 double cosine(double radians);
+struct SineAndCosine {
+  double sine = 0.0;
+  double cosine = 1.0;
+};
+// Both at once, at little more than the cost of one. The last bit may differ from that of the functions above.
+SineAndCosine sine_and_cosine(double radians);
 // The angle of (x, y) from +x, in (−pi, pi]; 0 for (0, 0).
 double arctangent(double y, double x);
 // For x in [−1, 1]; in [0, pi].

@@ -19,6 +19,7 @@ enum class Stream : std::uint32_t {
   turn = 6,             // F3, a draw for each tip and step
   first_direction = 7,  // direction of the first radial, and phase of the rings
   large_choice = 8,     // which of the radials are large
+  large_count = 10,     // deviation of N from eq. 6
   stone_seed = 20,      // jitter of a seed of the packing
   packing = 21,         // annealing, a draw for each particle and step
   stone_height = 22,    // surface of a stone

@@ -1,87 +1,66 @@
 #include "geometry/point_index.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 
 namespace shatterpave::geometry {
 
 namespace {
 
-// Nodes with no more points than this are searched point by point.
-constexpr std::size_t leaf_size = 8;
+constexpr vec2 nowhere{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
 }  // namespace
 
-struct PointIndex::Search {
-  struct Found {
-    double distance2;
-    int place;
-    bool operator<(const Found& other) const {
-      return distance2 != other.distance2 ? distance2 < other.distance2 : place < other.place;
-    }
-  };
-  const Sector& sector;
-  std::size_t count;
-  std::vector<Found> nearest;  // ascending
-
-  bool wants(const Found& found) const { return nearest.size() < count || found < nearest.back(); }
-  void take(const Found& found) {
-    if (!wants(found)) return;
-    if (nearest.size() == count) nearest.pop_back();
-    nearest.insert(std::upper_bound(nearest.begin(), nearest.end(), found), found);
+void PointIndex::put(int number, vec2 at_mm) {
+  const auto place = static_cast<std::size_t>(number);
+  if (points_.size() <= place) points_.resize(place + 1, nowhere);
+  const vec2 before = points_[place];
+  points_[place] = at_mm;
+  const std::int64_t column = cell_of(at_mm.x);
+  const std::int64_t row = cell_of(at_mm.y);
+  if (before != nowhere) {
+    if (cell_of(before.x) == column && cell_of(before.y) == row) return;
+    grid_.remove(cell_of(before.x), cell_of(before.y), number);
+    --count_;
   }
-};
-
-PointIndex::PointIndex(std::span<const vec2> points) : points_(points), order_(points.size()) {
-  std::iota(order_.begin(), order_.end(), 0);
-  if (!points.empty()) build(0, 0, points.size());
+  ++count_;
+  grid_.add(column, row, number);
 }
 
-void PointIndex::build(std::size_t node, std::size_t first, std::size_t last) {
-  if (boxes_.size() <= node) boxes_.resize(node + 1);
-  const auto at = [this](int place) { return points_[static_cast<std::size_t>(place)]; };
-  Box box{at(order_[first]), at(order_[first])};
-  for (std::size_t i = first; i < last; ++i) {
-    box.low = glm::min(box.low, at(order_[i]));
-    box.high = glm::max(box.high, at(order_[i]));
-  }
-  boxes_[node] = box;
-  if (last - first <= leaf_size) return;
-  const vec2 extent = box.high - box.low;
-  const std::size_t axis = extent.x >= extent.y ? 0 : 1;
-  const std::size_t middle = (first + last) / 2;
-  const auto begin = order_.begin();
-  std::nth_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(middle),
-                   begin + static_cast<std::ptrdiff_t>(last),
-                   [&](int p, int q) { return at(p)[axis] != at(q)[axis] ? at(p)[axis] < at(q)[axis] : p < q; });
-  build(2 * node + 1, first, middle);
-  build(2 * node + 2, middle, last);
+void PointIndex::remove(int number) {
+  vec2& point = points_[static_cast<std::size_t>(number)];
+  grid_.remove(cell_of(point.x), cell_of(point.y), number);
+  point = nowhere;
+  --count_;
 }
 
-void PointIndex::search(std::size_t node, std::size_t first, std::size_t last, Search& search) const {
-  const Box& box = boxes_[node];
-  const vec2 gap = glm::clamp(search.sector.apex(), box.low, box.high) - search.sector.apex();
-  if (!search.wants({glm::dot(gap, gap), -1}) || !search.sector.may_meet(box.low, box.high)) return;
-  if (last - first <= leaf_size) {
-    for (std::size_t i = first; i < last; ++i) {
-      const vec2 point = points_[static_cast<std::size_t>(order_[i])];
-      const vec2 offset = point - search.sector.apex();
-      const double distance2 = glm::dot(offset, offset);
-      if (distance2 > 0.0 && search.sector.contains(point)) search.take({distance2, order_[i]});
-    }
-    return;
+// Looks as far as about as many points may lie as are wanted, then twice as far at each look, so that of a crowd only the
+// nearest are looked at.
+std::size_t PointIndex::nearest_in(const Sector& sector, std::span<Found> found) const {
+  if (found.empty()) return 0;
+  double reach = sector.radius();
+  for (std::size_t crowd = 16 * found.size(); crowd < count_; crowd *= 4) reach *= 0.5;
+  for (;; reach = std::min(2.0 * reach, sector.radius())) {
+    const std::size_t count = nearest_within(sector, reach, found);
+    const bool full = count == found.size() && found[count - 1].distance2 <= reach * reach;
+    if (full || reach >= sector.radius()) return count;
   }
-  const std::size_t middle = (first + last) / 2;
-  this->search(2 * node + 1, first, middle, search);
-  this->search(2 * node + 2, middle, last, search);
 }
 
-std::vector<int> PointIndex::nearest_in(const Sector& sector, std::size_t count) const {
-  Search search{sector, count, {}};
-  if (!points_.empty() && count > 0) this->search(0, 0, points_.size(), search);
-  std::vector<int> places(search.nearest.size());
-  std::ranges::transform(search.nearest, places.begin(), [](const Search::Found& found) { return found.place; });
-  return places;
+std::size_t PointIndex::nearest_within(const Sector& sector, double reach, std::span<Found> found) const {
+  std::size_t count = 0;
+  const auto [low, high] = sector.bounds(reach);
+  visit_in({low, high}, [&](int number) {
+    const vec2 offset = at(number) - sector.apex();
+    const Found candidate{number, glm::dot(offset, offset)};
+    if (count == found.size() && !(candidate < found[count - 1])) return;
+    if (candidate.distance2 == 0.0 || !sector.contains(at(number))) return;
+    if (count < found.size()) ++count;
+    std::size_t place = count - 1;
+    for (; place > 0 && candidate < found[place - 1]; --place) found[place] = found[place - 1];
+    found[place] = candidate;
+  });
+  return count;
 }
 
 }  // namespace shatterpave::geometry

@@ -31,7 +31,14 @@ bool segments_cross(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint
 }
 
 bool segments_meet(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
-  return segments_cross(a, b, c, d) || on_segment(a, b, c) || on_segment(a, b, d) || on_segment(c, d, a) || on_segment(c, d, b);
+  const int c_side = static_cast<int>(side(a, b, c));
+  const int d_side = static_cast<int>(side(a, b, d));
+  if (c_side * d_side > 0) return false;  // by far the most
+  const int a_side = static_cast<int>(side(c, d, a));
+  const int b_side = static_cast<int>(side(c, d, b));
+  if (c_side * d_side < 0 && a_side * b_side < 0) return true;
+  return (c_side == 0 && within_box(a, b, c)) || (d_side == 0 && within_box(a, b, d)) || (a_side == 0 && within_box(c, d, a)) ||
+         (b_side == 0 && within_box(c, d, b));
 }
 
 }  // namespace shatterpave::geometry

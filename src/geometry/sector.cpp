@@ -1,7 +1,6 @@
 #include "geometry/sector.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/error.h"
 
@@ -23,23 +22,32 @@ void keep_non_negative(double value_a, double value_b, double& first, double& la
 
 }  // namespace
 
-Sector::Sector(vec2 apex, vec2 axis, Angle opening, double radius)
-    : apex_(apex), right_(rotated(axis, opening * -0.5)), left_(rotated(axis, opening * 0.5)), radius_(radius) {
+SectorShape::SectorShape(Angle opening, double radius) : half_((opening * 0.5).direction()), radius_(radius) {
   ENSURE(opening > Angle() && opening <= Angle::radians(pi) && radius > 0.0);
 }
 
-bool Sector::contains(vec2 point) const {
-  const vec2 p = point - apex_;
-  return cross(right_, p) >= 0.0 && cross(p, left_) >= 0.0 && glm::dot(p, p) <= radius_ * radius_;
+Sector::Sector(vec2 apex, vec2 axis, const SectorShape& shape)
+    : apex_(apex),
+      right_(shape.half_.x * axis - shape.half_.y * left_of(axis)),
+      left_(shape.half_.x * axis + shape.half_.y * left_of(axis)),
+      radius_(shape.radius_) {
+  // The corners of the fan, and where its arc goes farthest left, right, down or up.
+  const auto ahead = [this](double x, double y) { return cross(right_, vec2{x, y}) > 0.0 && cross(vec2{x, y}, left_) > 0.0; };
+  low_ = {ahead(-1.0, 0.0) ? -1.0 : std::min({0.0, right_.x, left_.x}),
+          ahead(0.0, -1.0) ? -1.0 : std::min({0.0, right_.y, left_.y})};
+  high_ = {ahead(1.0, 0.0) ? 1.0 : std::max({0.0, right_.x, left_.x}),
+           ahead(0.0, 1.0) ? 1.0 : std::max({0.0, right_.y, left_.y})};
 }
 
-bool Sector::may_meet(vec2 low, vec2 high) const {
-  const vec2 nearest = glm::clamp(apex_, low, high) - apex_;
-  if (glm::dot(nearest, nearest) > radius_ * radius_) return false;
-  const std::array<vec2, 4> corners = {low - apex_, vec2{high.x, low.y} - apex_, high - apex_, vec2{low.x, high.y} - apex_};
-  const bool right_of_it = std::ranges::all_of(corners, [this](vec2 p) { return cross(right_, p) < 0.0; });
-  const bool left_of_it = std::ranges::all_of(corners, [this](vec2 p) { return cross(p, left_) < 0.0; });
-  return !right_of_it && !left_of_it;
+bool Sector::may_meet(vec2 low, vec2 high, double reach) const {
+  const vec2 from = low - apex_;
+  const vec2 to = high - apex_;
+  const vec2 nearest = glm::clamp(vec2{0.0, 0.0}, from, to);
+  if (glm::dot(nearest, nearest) > reach * reach) return false;
+  // Of the corners that which lies farthest to the left of the right border, and the other way round.
+  const vec2 left_most{right_.y < 0.0 ? to.x : from.x, right_.x > 0.0 ? to.y : from.y};
+  const vec2 right_most{left_.y > 0.0 ? to.x : from.x, left_.x < 0.0 ? to.y : from.y};
+  return cross(right_, left_most) >= 0.0 && cross(right_most, left_) >= 0.0;
 }
 
 std::optional<vec2> Sector::nearest_point(vec2 a, vec2 b) const {

@@ -62,7 +62,9 @@ ImpactCounts drawn_counts(const Impact& impact, const Growth& growth, std::uint6
   const int m = impact.radial_count
                     ? *impact.radial_count
                     : drawn_radial_count(mean_radial_count(impact, growth), growth.count_dispersion, seed, element);
-  const double n = rounded(growth.large_slope * m + growth.large_offset, growth.large_rounding);
+  const double deviation =
+      growth.large_deviation > 0.0 ? growth.large_deviation * normal(seed, {Stream::large_count, element}) : 0.0;
+  const double n = rounded(growth.large_slope * m + growth.large_offset + deviation, growth.large_rounding);
   const double r = m > growth.circular_threshold ? std::floor(growth.circular_slope * m + growth.circular_offset) : 0.0;
   counts.radial_count = m;
   counts.large_count = std::clamp(impact.large_count.value_or(static_cast<int>(std::clamp(n, 0.0, 1.0 * m))), 0, m);

@@ -19,8 +19,6 @@ using geometry::Side;
 
 namespace {
 
-constexpr int edge_owner = -1;
-
 // Whether the segments from `shared` to `p` and from `shared` to `q` lie on each other.
 bool overlap(LatticePoint shared, LatticePoint p, LatticePoint q) {
   if (geometry::side(shared, p, q) != Side::on) return false;
@@ -307,7 +305,7 @@ void CrackMap::walk(int node, LatticePoint from, LatticePoint to, std::vector<La
 // The border of a region that `crack` closed by ending on the crack `met`: from its tip back along cracks that touch one
 // another to where it ended. Its ending splits one region in two. If that was not closed before, one of the two is the open
 // rest, which no way along cracks surrounds, so any way back has the newly closed one inside.
-std::vector<LatticePoint> CrackMap::closed_region(int crack, int met) const {
+std::vector<LatticePoint> CrackMap::closed_region(int crack, int met) {
   const Record& ending = record(crack);
   const LatticePoint joint = ending.points.back();
   if (crack == met) {

@@ -48,7 +48,17 @@ class CrackMap {
   // Ends a growing crack that has met nothing.
   void stop(int crack, CrackEnd::At at);
 
+  // The nearest crack within the sector of those for which accept(crack) holds.
+  template <typename Accept>
+  std::optional<geometry::SegmentIndex::Nearest> nearest_in(const geometry::Sector& sector, Accept accept) const {
+    return index_.nearest_in(
+        sector, [&](const geometry::Segment& segment) { return segment.owner != edge_owner && accept(segment.owner); });
+  }
+  const geometry::Segment& segment(int number) const { return index_.segment(number); }
+
   bool is_growing(int crack) const { return record(crack).growing; }
+  CrackKind kind(int crack) const { return record(crack).kind; }
+  int impact(int crack) const { return record(crack).impact; }
   geometry::LatticePoint tip(int crack) const { return record(crack).points.back(); }
   std::span<const geometry::LatticePoint> points(int crack) const { return record(crack).points; }
 
@@ -56,6 +66,8 @@ class CrackMap {
   std::vector<Crack> cracks() const;
 
  private:
+  static constexpr int edge_owner = -1;
+
   struct Record {
     CrackKind kind = CrackKind::radial;
     int impact = 0;
@@ -85,7 +97,7 @@ class CrackMap {
   bool can_join(geometry::LatticePoint from, geometry::LatticePoint joint, int met) const;
   Arrest join(int crack, geometry::LatticePoint joint, int met);
   void insert_vertex(int segment, geometry::LatticePoint point);
-  std::vector<geometry::LatticePoint> closed_region(int crack, int met) const;
+  std::vector<geometry::LatticePoint> closed_region(int crack, int met);
   void walk(int node, geometry::LatticePoint from, geometry::LatticePoint to,
             std::vector<geometry::LatticePoint>& border) const;
 

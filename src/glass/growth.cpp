@@ -1,9 +1,9 @@
 // The model in outline. An impact gets its counts (eq. 3, 5, 6), its radials, at equal angles, and the starting points of its
-// ring cracks. Then time goes on in steps of dt: every growing tip looks into the sector in front of it, turns by the forces of
-// what it sees there, and goes on, until all large and ring cracks have stopped.
+// ring cracks. Then every tip goes on in steps of one length, each when its time has come: it looks into the sector in front of
+// it, turns by the forces of what it sees there, and goes on, until all large and ring cracks have stopped.
 //
 // Departures from the paper, most by a parameter of Growth:
-// - a tip turns by its length, not by its steps (turn_length);
+// - a step is so long, not so short a time (step_length), and a tip turns by its length, not by its steps (turn_length);
 // - ring cracks start when the large cracks are out of their way (ring_onset);
 // - a pull along its circle keeps a ring crack on it (ring_pull), where the paper states the rule without a formula;
 // - a weak pull keeps radials on their way out, however large the pane is (radial_pull);
@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -35,7 +36,7 @@ using geometry::Sector;
 using geometry::SegmentIndex;
 
 // Tips that F1 looks at. By eye: beyond four nothing changes in a picture; eight is on the safe side.
-constexpr std::size_t nearest_tips = 8;
+constexpr std::size_t nearest_tips = 4;
 
 // Radials start straight for as long as neighbours are nearer than this: half the thinnest crack that a picture can show, and
 // so many units of the lattice that rounding swaps no two of them. At M = 100 that is the first 0.8 mm, at M = 10,000 80 mm.
@@ -45,11 +46,17 @@ constexpr double least_spacing_mm = 0.05;
 // them on the wrong side of one another. At M = 100 that is within 0.03 mm of the impact.
 constexpr double least_order_mm = 0.002;
 
-// Shorter steps are gathered into one piece of a polyline.
+// Pieces of a step shorter than this are not worth a vertex.
 constexpr double least_piece_mm = 0.02;
 
 // No crack gets longer than this many diagonals of the pane's box; one that has wound about for so long ends open.
 constexpr double most_diagonals = 10.0;
+
+// Cells of the map of cracks: about a step of growth.
+constexpr double narrow_cell_mm = 9.0 * px_mm;
+
+// Cells of the index of tips: about as far as they are from one another where most grow.
+constexpr double wide_cell_mm = 16.0 * px_mm;
 
 struct Tip {
   int crack = 0;
@@ -58,8 +65,10 @@ struct Tip {
   vec2 at_mm{0.0, 0.0};
   vec2 heading{1.0, 0.0};  // of unit length
   double speed_mm = 0.0;   // per unit of time
-  double age = 0.0;
-  double straight_mm = 0.0;  // it goes straight for as long as it is nearer than this to its start
+  double due = 0.0;        // when its next step is done
+  double inertia = 1.0;    // see inertia()
+  double decay = 1.0;      // by which a step of this tip multiplies it
+  double first_mm = 0.0;   // length of the first step
   double length_mm = 0.0;
   std::uint32_t steps = 0;
   vec2 start_mm{0.0, 0.0};
@@ -78,12 +87,15 @@ struct ImpactState {
   Id id;
   vec2 at_mm{0.0, 0.0};
   ImpactCounts counts;
+  double now = 0.0;
   std::vector<RingStart> waiting;
-  std::vector<Tip> tips;  // that grow
+  std::vector<Tip> tips;
+  std::vector<int> growing;                   // those of them that grow
+  geometry::PointIndex places{wide_cell_mm};  // where those are
 };
 
-// Where large or ring cracks would need more steps than this to cross the pane once, the scene is refused. At the paper's
-// speeds and dt = 0.25 that is a pane of more than 3 km.
+// Where cracks would need more steps than this to cross the pane once, the scene is refused. With steps of the length by
+// default that is a pane of more than 2 km.
 constexpr double most_steps_across = 1e6;
 
 class PaneGrowth {
@@ -97,26 +109,32 @@ class PaneGrowth {
   void start_radials(ImpactState& state);
   void start_rings(ImpactState& state);
   void start_arms(ImpactState& state, const RingStart& start);
+  void add(ImpactState& state, Tip tip) const;
   bool is_over(const ImpactState& state) const;
-  void step(ImpactState& state);
-  void steer(Tip& tip, std::span<const vec2> tips_mm, const geometry::PointIndex& places) const;
-  Sight sight(const Tip& tip, const Sector& sector, std::span<const vec2> tips_mm, const geometry::PointIndex& places) const;
-  void advance(Tip& tip, const ImpactState& state);
-  void extend(const Tip& tip, const ImpactState& state);
-  geometry::Polygon piece(const Tip& tip);
-  std::vector<const Tip*> growing_within(const geometry::Polygon& region, const ImpactState& state) const;
+  void go_on(ImpactState& state);
+  void forget_stopped(ImpactState& state) const;
+  void step(Tip& tip, ImpactState& state);
+  void steer(Tip& tip, const ImpactState& state) const;
+  vec2 force_on(const Tip& tip, const Sector& sector, const ImpactState& state) const;
+  std::optional<Wall> crack_before(const Tip& tip, const Sector& sector) const;
+  // Points of the lattice; empty where nothing is bordered.
+  using Border = std::vector<LatticePoint>;
+  void extend(const Tip& tip, vec2 to_mm, const ImpactState& state);
+  vec2 place(const Tip& tip, const ImpactState& state) const;
+  Border piece(const Tip& tip, vec2 to_mm);
+  std::vector<const Tip*> growing_within(const Border& border, const ImpactState& state) const;
   void settle(const ImpactState& state);
 
   const Pane& pane_;
   const Growth& growth_;
   std::uint64_t seed_;
+  double step_mm_;
   double longest_mm_;
+  geometry::SectorShape sight_;
   CrackMap map_;
-  // For F2, which need not know of vertices that were inserted later: the edge; ring cracks and all of earlier impacts; the
-  // radials of the present impact.
+  // For F2 on radials, with wider cells than those of the map; it need not know of vertices that were inserted later.
   SegmentIndex edge_;
-  SegmentIndex cracks_;
-  SegmentIndex siblings_;
+  SegmentIndex obstacles_;  // ring cracks, and all cracks of earlier impacts
   std::vector<ImpactCounts> counts_;
 };
 
@@ -125,18 +143,19 @@ double diagonal(const geometry::Polygon& outline) {
   return glm::length(box.high - box.low);
 }
 
-// Cells of the indexes for F2: a few across the sector.
-double wide_cell(const Growth& growth) { return growth.sector_radius * px_mm / 4.0; }
+// Cells of the indexes for F2.
+double cell_of_walls(const Growth& growth) { return 0.5 * growth.sector_radius * px_mm; }
 
 PaneGrowth::PaneGrowth(const Pane& pane, std::uint64_t seed)
     : pane_(pane),
       growth_(pane.growth),
       seed_(seed),
+      step_mm_(pane.growth.step_length * px_mm),
       longest_mm_(most_diagonals * diagonal(pane.outline_mm)),
-      map_(pane.outline_mm, 5.0 * px_mm),
-      edge_(wide_cell(pane.growth)),
-      cracks_(wide_cell(pane.growth)),
-      siblings_(wide_cell(pane.growth)) {
+      sight_(pane.growth.sector_angle, pane.growth.sector_radius * px_mm),
+      map_(pane.outline_mm, narrow_cell_mm),
+      edge_(cell_of_walls(pane.growth)),
+      obstacles_(cell_of_walls(pane.growth)) {
   for (std::size_t i = 0; i < pane.outline_mm.size(); ++i) {
     edge_.add(
         {geometry::to_lattice(pane.outline_mm[i]), geometry::to_lattice(pane.outline_mm[(i + 1) % pane.outline_mm.size()]), 0});
@@ -184,15 +203,26 @@ void PaneGrowth::start_radials(ImpactState& state) {
     tip.heading = Angle::radians(2.0 * pi * (first + k) / m).direction();
     tip.speed_mm = px_mm * (large ? spread_about(growth_.large_speed, growth_, seed_, {Stream::large_speed, tip.id})
                                   : spread_about(growth_.radial_speed, growth_, seed_, {Stream::radial_speed, tip.id}));
-    tip.straight_mm = least_spacing_mm * m / (2.0 * pi);
-    state.tips.push_back(tip);
+    tip.first_mm = std::max(step_mm_, least_spacing_mm * m / (2.0 * pi));
+    add(state, tip);
   }
+}
+
+void PaneGrowth::add(ImpactState& state, Tip tip) const {
+  tip.due = state.now + tip.first_mm / tip.speed_mm;
+  tip.decay = inertia(step_mm_ / tip.speed_mm, growth_);
+  const int number = static_cast<int>(state.tips.size());
+  state.places.put(number, tip.at_mm);
+  state.growing.push_back(number);
+  state.tips.push_back(tip);
 }
 
 // The ring cracks whose time has come.
 void PaneGrowth::start_rings(ImpactState& state) {
+  if (state.waiting.empty()) return;
   double hindmost_mm = std::numeric_limits<double>::infinity();
-  for (const Tip& tip : state.tips) {
+  for (const int number : state.growing) {
+    const Tip& tip = state.tips[static_cast<std::size_t>(number)];
     if (tip.kind == CrackKind::large) hindmost_mm = std::min(hindmost_mm, glm::length(tip.at_mm - state.at_mm));
   }
   std::vector<RingStart> waiting;
@@ -225,7 +255,8 @@ void PaneGrowth::start_arms(ImpactState& state, const RingStart& start) {
     tip.ring = Ring{state.at_mm, start.radius_mm, counter_clockwise};
     tip.heading = direction_along(*tip.ring, tip.at_mm);
     tip.speed_mm = px_mm * speed;
-    state.tips.push_back(tip);
+    tip.first_mm = step_mm_;
+    add(state, tip);
   }
 }
 
@@ -234,141 +265,171 @@ void PaneGrowth::start_arms(ImpactState& state, const RingStart& start) {
 bool PaneGrowth::is_over(const ImpactState& state) const {
   if (!state.waiting.empty()) return false;
   const bool radials_only = state.counts.large_count == 0 && state.counts.circular_count == 0;
-  return std::ranges::none_of(state.tips, [&](const Tip& tip) { return radials_only || tip.kind != CrackKind::radial; });
+  return std::ranges::none_of(state.growing, [&](int number) {
+    return radials_only || state.tips[static_cast<std::size_t>(number)].kind != CrackKind::radial;
+  });
 }
 
-Sight PaneGrowth::sight(const Tip& tip, const Sector& sector, std::span<const vec2> tips_mm,
-                        const geometry::PointIndex& places) const {
-  const auto wall = [&](const SegmentIndex& index, int owner) -> std::optional<Wall> {
-    const std::optional<SegmentIndex::Nearest> nearest = index.nearest_in(sector, owner);
-    if (!nearest) return std::nullopt;
-    const geometry::Segment& segment = index.segment(nearest->number);
-    const vec2 across = glm::normalize(left_of(geometry::to_mm(segment.b) - geometry::to_mm(segment.a)));
-    const double side = glm::dot(across, nearest->point_mm - tip.at_mm);
-    return Wall{side < 0.0 ? -across : across, nearest->distance_mm};
-  };
+Wall wall_at(const SegmentIndex::Nearest& nearest, const geometry::Segment& segment, vec2 from) {
+  const vec2 across = glm::normalize(left_of(geometry::to_mm(segment.b) - geometry::to_mm(segment.a)));
+  return {glm::dot(across, nearest.point_mm - from) < 0.0 ? -across : across, nearest.distance_mm};
+}
+
+// The crack of F2: for a ring crack the nearest of all, for a radial the nearest but those of its own impact's radials.
+std::optional<Wall> PaneGrowth::crack_before(const Tip& tip, const Sector& sector) const {
+  if (!tip.ring) {
+    const auto nearest = obstacles_.nearest_in(sector, [](const geometry::Segment&) { return true; });
+    return nearest ? std::optional(wall_at(*nearest, obstacles_.segment(nearest->number), tip.at_mm)) : std::nullopt;
+  }
+  const auto nearest = map_.nearest_in(sector, [&](int crack) { return crack != tip.crack; });
+  return nearest ? std::optional(wall_at(*nearest, map_.segment(nearest->number), tip.at_mm)) : std::nullopt;
+}
+
+// F1 + F2.
+vec2 PaneGrowth::force_on(const Tip& tip, const Sector& sector, const ImpactState& state) const {
   Sight seen;
-  if (growth_.tip_gain > 0.0) {
-    for (const int place : places.nearest_in(sector, nearest_tips)) {
-      seen.tips_mm.push_back(tips_mm[static_cast<std::size_t>(place)] - tip.at_mm);
-    }
+  std::array<geometry::PointIndex::Found, nearest_tips> found;
+  std::array<vec2, nearest_tips> tips_mm;
+  const std::size_t count = growth_.tip_gain > 0.0 ? state.places.nearest_in(sector, found) : 0;
+  for (std::size_t i = 0; i < count; ++i) tips_mm[i] = state.places.at(found[i].number) - tip.at_mm;
+  seen.tips_mm = std::span(tips_mm).first(count);
+  const auto edge = edge_.nearest_in(sector, [](const geometry::Segment&) { return true; });
+  if (edge) seen.edge = wall_at(*edge, edge_.segment(edge->number), tip.at_mm);
+  seen.crack = crack_before(tip, sector);
+  if (!tip.ring && growth_.sibling_gain != 0.0) {
+    const auto sibling = map_.nearest_in(sector, [&](int crack) {
+      return crack != tip.crack && map_.impact(crack) == state.index && map_.kind(crack) != CrackKind::circular;
+    });
+    if (sibling) seen.sibling = wall_at(*sibling, map_.segment(sibling->number), tip.at_mm);
   }
-  seen.edge = wall(edge_, -1);
-  seen.crack = wall(cracks_, tip.crack);
-  if (tip.kind == CrackKind::circular) {
-    const std::optional<Wall> radial = wall(siblings_, tip.crack);
-    if (radial && (!seen.crack || radial->distance_mm < seen.crack->distance_mm)) seen.crack = radial;
-  } else if (growth_.sibling_gain != 0.0) {
-    seen.sibling = wall(siblings_, tip.crack);
-  }
-  return seen;
+  return force_of(seen, growth_);
 }
 
 // Eq. 12 to 16. To follow its circle is no turn for a ring crack: it bends with it whatever its age.
-void PaneGrowth::steer(Tip& tip, std::span<const vec2> tips_mm, const geometry::PointIndex& places) const {
-  const double way_mm = tip.speed_mm * growth_.time_step;
-  if (tip.ring) tip.heading = bent_along(*tip.ring, tip.heading, way_mm);
-  const Sector sector(tip.at_mm, tip.heading, growth_.sector_angle, growth_.sector_radius * px_mm);
+void PaneGrowth::steer(Tip& tip, const ImpactState& state) const {
+  if (tip.ring) tip.heading = bent_along(*tip.ring, tip.heading, step_mm_);
+  const Sector sector(tip.at_mm, tip.heading, sight_);
   const double deviate = normal(seed_, {Stream::turn, tip.id, tip.steps});
   const vec2 drive = tip.ring ? growth_.ring_pull * direction_along(*tip.ring, tip.at_mm)
                               : growth_.radial_pull * glm::normalize(tip.at_mm - tip.start_mm);
-  const vec2 force = force_of(sight(tip, sector, tips_mm, places), growth_) +
-                     wandering_force(tip.heading, deviate, way_mm / px_mm, growth_) + drive;
-  tip.heading = glm::normalize(rotated(tip.heading, turn(force, tip.heading, tip.age, way_mm / px_mm, growth_)));
+  const vec2 force = force_on(tip, sector, state) + wandering_force(tip.heading, deviate, growth_.step_length, growth_) + drive;
+  tip.heading = glm::normalize(turned(tip.heading, turn(force, tip.heading, 1.0 - tip.inertia, growth_.step_length, growth_)));
 }
 
-// Eq. 17, and the stop rules of §4.2.3.
-void PaneGrowth::advance(Tip& tip, const ImpactState& state) {
-  const double way_mm = tip.speed_mm * growth_.time_step;
+// Eq. 17, and the stop rules of §4.2.3. The first step goes straight.
+void PaneGrowth::step(Tip& tip, ImpactState& state) {
+  const bool first = tip.steps == 0;
+  const double way_mm = first ? tip.first_mm : step_mm_;
+  if (!first) steer(tip, state);
   tip.at_mm += way_mm * tip.heading;
   tip.length_mm += way_mm;
-  tip.age += growth_.time_step;
+  tip.inertia *= first ? inertia(way_mm / tip.speed_mm, growth_) : tip.decay;
+  tip.due += step_mm_ / tip.speed_mm;
   ++tip.steps;
-  const bool is_piece = glm::length(tip.at_mm - geometry::to_mm(map_.tip(tip.crack))) >= least_piece_mm;
-  if (is_piece && glm::length(tip.at_mm - tip.start_mm) >= tip.straight_mm) extend(tip, state);
+  extend(tip, tip.at_mm, state);
   if (tip.length_mm > longest_mm_ && map_.is_growing(tip.crack)) map_.stop(tip.crack, CrackEnd::At::open);
 }
 
 // Leads the crack to where its tip is by now, if nothing is in the way. Where that closes a region, every tip inside it stops
 // (§4.2.3 (2)).
-void PaneGrowth::extend(const Tip& tip, const ImpactState& state) {
-  std::vector<geometry::Polygon> regions = {piece(tip)};  // an empty one has no inside
-  while (!regions.empty()) {
-    const geometry::Polygon region = std::move(regions.back());
-    regions.pop_back();
-    for (const Tip* inside : growing_within(region, state)) {
+void PaneGrowth::extend(const Tip& tip, vec2 to_mm, const ImpactState& state) {
+  std::vector<Border> closed;
+  if (Border border = piece(tip, to_mm); !border.empty()) closed.push_back(std::move(border));
+  while (!closed.empty()) {
+    const Border border = std::move(closed.back());
+    closed.pop_back();
+    for (const Tip* inside : growing_within(border, state)) {
       if (!map_.is_growing(inside->crack)) continue;  // met by one of the others
-      // What the tip has gone since its last vertex still belongs to it, and may close another region.
-      geometry::Polygon next = piece(*inside);
-      if (!next.empty()) regions.push_back(std::move(next));
+      // What the tip has gone since its last step still belongs to it, and may close another region.
+      if (Border next = piece(*inside, place(*inside, state)); !next.empty()) closed.push_back(std::move(next));
       if (map_.is_growing(inside->crack)) map_.stop(inside->crack, CrackEnd::At::enclosed);
     }
   }
 }
 
-// Adds the way from the last vertex of the crack to its tip. Returns the region that this closed; empty if none.
-geometry::Polygon PaneGrowth::piece(const Tip& tip) {
-  if (glm::length(tip.at_mm - tip.start_mm) < tip.straight_mm * (least_order_mm / least_spacing_mm)) return {};
-  const LatticePoint from = map_.tip(tip.crack);
-  const std::optional<Arrest> arrest = map_.extend(tip.crack, geometry::to_lattice(tip.at_mm));
-  const LatticePoint to = map_.tip(tip.crack);
-  if (to != from) (tip.kind == CrackKind::circular ? cracks_ : siblings_).add({from, to, tip.crack});
-  if (!arrest) return {};
-  geometry::Polygon region(arrest->closed_region.size());
-  std::ranges::transform(arrest->closed_region, region.begin(), [](LatticePoint p) { return geometry::to_mm(p); });
-  return region;
+// Where the tip is between two steps.
+vec2 PaneGrowth::place(const Tip& tip, const ImpactState& state) const {
+  const double way_mm = tip.steps == 0 ? tip.first_mm : step_mm_;
+  const double gone_mm = std::clamp(way_mm - (tip.due - state.now) * tip.speed_mm, 0.0, way_mm);
+  const double least_mm = tip.steps == 0 ? least_order_mm * state.counts.radial_count / (2.0 * pi) : 0.0;
+  return gone_mm < std::max(least_piece_mm, least_mm) ? tip.at_mm : tip.at_mm + gone_mm * tip.heading;
 }
 
-// Tips lie between the points of the lattice, and one may be less than 1 µm from its impact, where regions meet: so both are
-// taken to a finer lattice, and one that has not gone yet is looked for in front of its start.
-std::vector<const Tip*> PaneGrowth::growing_within(const geometry::Polygon& region, const ImpactState& state) const {
-  if (region.empty()) return {};
+// Adds the way from the last vertex of the crack to `to_mm`. Returns the border of the region that this closed; empty if none.
+PaneGrowth::Border PaneGrowth::piece(const Tip& tip, vec2 to_mm) {
+  const LatticePoint from = map_.tip(tip.crack);
+  std::optional<Arrest> arrest = map_.extend(tip.crack, geometry::to_lattice(to_mm));
+  const LatticePoint to = map_.tip(tip.crack);
+  if (tip.ring && to != from) obstacles_.add({from, to, tip.crack});
+  return arrest ? std::move(arrest->closed_region) : Border{};
+}
+
+// One that has not gone yet lies on the border of whatever is closed about its impact: it is looked for in front of its start,
+// on a finer lattice, since there regions are narrow.
+std::vector<const Tip*> PaneGrowth::growing_within(const Border& border, const ImpactState& state) const {
   constexpr double finer = 1000.0;
-  geometry::Polygon fine_region = region;
-  for (vec2& vertex : fine_region) vertex *= finer;
+  geometry::Polygon region(border.size());
+  std::ranges::transform(border, region.begin(), [](LatticePoint p) { return geometry::to_mm(p); });
   const geometry::Box box = geometry::bounding_box(region);
+  for (vec2& vertex : region) vertex *= finer;
   std::vector<const Tip*> found;
-  for (const Tip& tip : state.tips) {
-    const vec2 at = tip.length_mm > 0.0 ? tip.at_mm : tip.at_mm + least_piece_mm * tip.heading;
+  state.places.visit_in(box, [&](int number) {
+    const Tip& tip = state.tips[static_cast<std::size_t>(number)];
+    const vec2 at = tip.steps > 0 ? geometry::to_mm(map_.tip(tip.crack)) : tip.at_mm + least_piece_mm * tip.heading;
     const bool near = glm::all(glm::greaterThan(at, box.low)) && glm::all(glm::lessThan(at, box.high));
-    if (!near || tip.kind == CrackKind::circular || !map_.is_growing(tip.crack)) continue;
-    if (geometry::contains(fine_region, finer * at)) found.push_back(&tip);
-  }
+    if (!near || tip.kind == CrackKind::circular || !map_.is_growing(tip.crack)) return;
+    if (geometry::contains(region, finer * at)) found.push_back(&tip);
+  });
   return found;
 }
 
-void PaneGrowth::step(ImpactState& state) {
+// Goes on for as long as the fastest tip needs for a step.
+void PaneGrowth::go_on(ImpactState& state) {
   start_rings(state);
-  std::vector<vec2> tips_mm(state.tips.size());
-  std::ranges::transform(state.tips, tips_mm.begin(), [](const Tip& tip) { return tip.at_mm; });
-  const geometry::PointIndex places(tips_mm);
-  // All tips turn by what stands at this moment, then they go on one after the other, and meet what stands by then.
-  for (Tip& tip : state.tips) {
-    const bool free_to_turn = tip.age > 0.0 && glm::length(tip.at_mm - tip.start_mm) >= tip.straight_mm;
-    if (free_to_turn) steer(tip, tips_mm, places);
+  double fastest_mm = 0.0;
+  for (const int number : state.growing) {
+    fastest_mm = std::max(fastest_mm, state.tips[static_cast<std::size_t>(number)].speed_mm);
   }
-  for (Tip& tip : state.tips) {
-    if (map_.is_growing(tip.crack)) advance(tip, state);
+  state.now += step_mm_ / fastest_mm;
+  for (const int number : state.growing) {
+    Tip& tip = state.tips[static_cast<std::size_t>(number)];
+    if (tip.due > state.now || !map_.is_growing(tip.crack)) continue;
+    step(tip, state);
+    state.places.put(number, tip.at_mm);
   }
-  std::erase_if(state.tips, [this](const Tip& tip) { return !map_.is_growing(tip.crack); });
+  forget_stopped(state);
 }
 
-// Ends what still grows, and makes the cracks of this impact obstacles for the next.
+void PaneGrowth::forget_stopped(ImpactState& state) const {
+  std::erase_if(state.growing, [&](int number) {
+    const bool stopped = !map_.is_growing(state.tips[static_cast<std::size_t>(number)].crack);
+    if (stopped) state.places.remove(number);
+    return stopped;
+  });
+}
+
+// Ends what still grows, and makes the cracks of this impact obstacles for the next, if there is one.
 void PaneGrowth::settle(const ImpactState& state) {
+  const auto still_growing = [&](auto act) {
+    for (const int number : state.growing) {
+      const Tip& tip = state.tips[static_cast<std::size_t>(number)];
+      if (map_.is_growing(tip.crack)) act(tip);
+    }
+  };
+  still_growing([&](const Tip& tip) { extend(tip, place(tip, state), state); });
+  still_growing([&](const Tip& tip) { map_.stop(tip.crack, CrackEnd::At::open); });
+  if (state.index + 1 == static_cast<int>(pane_.impacts.size())) return;
   for (const Tip& tip : state.tips) {
-    if (map_.is_growing(tip.crack)) extend(tip, state);
+    if (tip.ring) continue;
+    const std::span<const LatticePoint> points = map_.points(tip.crack);
+    for (std::size_t i = 1; i < points.size(); ++i) obstacles_.add({points[i - 1], points[i], tip.crack});
   }
-  for (const Tip& tip : state.tips) {
-    if (map_.is_growing(tip.crack)) map_.stop(tip.crack, CrackEnd::At::open);
-  }
-  cracks_.add_all(siblings_);
-  siblings_ = SegmentIndex(wide_cell(growth_));
 }
 
 void PaneGrowth::strike(int impact) {
   ImpactState state = initial_state(impact);
   start_radials(state);
-  while (!is_over(state)) step(state);
+  while (!is_over(state)) go_on(state);
   settle(state);
 }
 
@@ -383,12 +444,9 @@ bool strictly_inside(const geometry::Polygon& outline, vec2 point) {
 
 void check(const Pane& pane) {
   const Growth& growth = pane.growth;
-  const double slowest_px = std::min(growth.large_speed, growth.circular_speed) * (1.0 - growth.spread_limit);
-  const double step_mm = slowest_px * growth.time_step * px_mm;
-  if (!(diagonal(pane.outline_mm) <= most_steps_across * step_mm)) {
+  if (!(diagonal(pane.outline_mm) <= most_steps_across * growth.step_length * px_mm)) {
     throw InputError(Place{"", 0, 0, pane.name + ".growth"},
-                     "expected cracks that cross the pane in at most 1,000,000 steps: speed or time step "
-                     "is too small for its size");
+                     "expected cracks that cross the pane in at most 1,000,000 steps: the step is too short for its size");
   }
   for (std::size_t i = 0; i < pane.impacts.size(); ++i) {
     const vec2 at = pane.impacts[i].at_mm;

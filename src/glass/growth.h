@@ -18,10 +18,10 @@ namespace shatterpave::glass {
 // behind an edge or an earlier crack, seen from its impact, is left out; and so is a crack that stops before it is 1 µm long,
 // or 2 µm away from its neighbours.
 //
-// REQUIRES the ranges of glass/pane.h. Throws InputError for an impact that is not strictly inside the outline, and for speeds
-// and a time step with which cracks would need more than a million steps to cross the pane.
+// REQUIRES the ranges of glass/pane.h. Throws InputError for an impact that is not strictly inside the outline, and for a
+// step with which cracks would need more than a million to cross the pane.
 //
-// A tip costs the same per step whatever grows elsewhere. M = 105 on 300 mm takes some 30 ms, M = 10,000 less than a second.
+// A tip costs the same per step whatever grows elsewhere. See benchmarks/growth.cpp for the figures.
 CrackNetwork grown_cracks(const Pane& pane, std::uint64_t seed);
 
 }  // namespace shatterpave::glass

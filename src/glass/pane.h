@@ -32,9 +32,8 @@ struct Growth {
   double sector_radius = 50.0;                 // B, px (§4.3)
   Angle turn_limit = Angle::degrees(30.0);     // theta_th (eq. 18)
   double weight_time = 10.0;                   // T (eq. 19)
-  double time_step = 0.25;  // dt (eq. 16, 17). The paper steps by 1, so that a large crack sees the edge for one step
-                            // only before it is there; a quarter lets it come round to a right angle (rule 8)
-
+  double step_length = 8.0;   // px that a tip goes on at a time, whatever its speed. The paper steps in time, so
+                              // that a large crack sees the edge for one step only before it is there
   double turn_length = 10.0;  // px of growth for which eq. 15 turns a tip once. In the paper that is a step, 10 px for
                               // slow cracks and 40 for large ones; so curves depend on neither dt nor the speed
 
@@ -48,25 +47,26 @@ struct Growth {
   double circular_offset = 0.5;      // b of eq. 3, not printed
   double large_slope = 0.0606;       // e of eq. 6 (eq. 1 misprints it)
   double large_offset = 3.293;       // f of eq. 6
+  double large_deviation = 0.0;      // standard deviation of N about that line
   Rounding large_rounding = Rounding::nearest;  // of eq. 6: between the two that the paper's figures show
   double ring_radius_slope_mm = 0.470;          // g of eq. 7
   double ring_radius_offset_mm = 13.90;         // h of eq. 7
 
   // Forces, of which the paper prints the form only. They are in units of F3, whose magnitude is 1; gains of those that fall
   // with the square of the distance are in px², and each force equals F3 at a distance of sqrt(gain) px.
-  double tip_gain = 40.0;              // F1: growing tips push one another off
-  double crack_gain = 60.0;            // F2, cracks: more makes tips turn earlier towards a crack they are about to meet
-  double sibling_gain = 0.0;           // F2 between radials of one impact. With the gain of other cracks the slow radials bend
-                                       // onto their neighbours and bundle, which real panes do not show
-  double edge_gain = 350.0;            // F2, edge of the pane: more makes cracks meet it more squarely, from farther off
-  Angle wander = Angle::degrees(9.0);  // F3: standard deviation of its direction over 10 px of growth, the step by which the
-                                       // paper measures turns; more makes cracks more crooked
-  double radial_pull = 0.15;           // pull of radials away from their impact, in units of F3. The wander of F3 alone
-                                       // forgets its direction within about a metre, and cracks of large panes would curl
-  double ring_pull = 0.6;              // rule 5: pull back to the circle of a ring crack; more makes rings rounder
-  double ring_onset = 1.25;            // a ring crack starts once every large crack of its impact has stopped, or is this
-                                       // many ring radii out. At 0 rings cut off about half of the large cracks. In real panes
-                                       // radials run first, and rings follow as the freed strips bend
+  double tip_gain = 40.0;               // F1: growing tips push one another off
+  double crack_gain = 60.0;             // F2, cracks: more makes tips turn earlier towards a crack they are about to meet
+  double sibling_gain = 0.0;            // F2 between radials of one impact. With the gain of other cracks the slow radials bend
+                                        // onto their neighbours and bundle, which real panes do not show
+  double edge_gain = 500.0;             // F2, edge of the pane: more makes cracks meet it more squarely, from farther off
+  Angle wander = Angle::degrees(14.0);  // F3: standard deviation of its direction over 10 px of growth, the step by which the
+                                        // paper measures turns; more makes cracks more crooked
+  double radial_pull = 0.4;             // pull of radials away from their impact, in units of F3. The wander of F3 alone
+                                        // forgets its direction within about a metre, and cracks of large panes would curl
+  double ring_pull = 0.6;               // rule 5: pull back to the circle of a ring crack; more makes rings rounder
+  double ring_onset = 1.25;             // a ring crack starts once every large crack of its impact has stopped, or is this
+                                        // many ring radii out. At 0 rings cut off about half of the large cracks. In real panes
+                                        // radials run first, and rings follow as the freed strips bend
 
   bool operator==(const Growth&) const = default;
 };

@@ -46,23 +46,28 @@ vec2 direction_along(const Ring& ring, vec2 at_mm) {
   return glm::normalize(tangent + radial * ((ring.radius_mm - distance) / return_distance_mm));
 }
 
-double weight(double age, const Growth& growth) { return 1.0 - exponential(-age / growth.weight_time); }
+double inertia(double age, const Growth& growth) { return exponential(-age / growth.weight_time); }
 
-Angle turn(vec2 force, vec2 heading, double age, double step_px, const Growth& growth) {
+Angle turn(vec2 force, vec2 heading, double weight, double step_px, const Growth& growth) {
   const Angle difference = Angle::radians(arctangent(cross(heading, force), glm::dot(heading, force)));
   const double share = std::min(1.0, step_px / growth.turn_length);
-  return std::clamp(difference, -growth.turn_limit, growth.turn_limit) * (weight(age, growth) * share);
+  return std::clamp(difference, -growth.turn_limit, growth.turn_limit) * (weight * share);
+}
+
+vec2 turned(vec2 v, Angle angle) {
+  const SineAndCosine turn = sine_and_cosine(angle.radians());
+  return turn.cosine * v + turn.sine * left_of(v);
 }
 
 vec2 wandering_force(vec2 heading, double deviate, double step_px, const Growth& growth) {
   // The turns of n steps add up to sqrt(n) of one, and turn() takes the n-th part of each.
   const double steps = std::max(1.0, growth.turn_length / step_px);
-  return rotated(heading, growth.wander * (std::sqrt(steps) * deviate));
+  return turned(heading, growth.wander * (std::sqrt(steps) * deviate));
 }
 
 vec2 bent_along(const Ring& ring, vec2 heading, double way_mm) {
   const Angle bend = Angle::radians(way_mm / ring.radius_mm);
-  return rotated(heading, ring.counter_clockwise ? bend : -bend);
+  return turned(heading, ring.counter_clockwise ? bend : -bend);
 }
 
 }  // namespace shatterpave::glass

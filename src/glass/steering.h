@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "core/angle.h"
 #include "core/vec.h"
@@ -21,9 +21,9 @@ struct Wall {
 
 // What a tip sees in its sector.
 struct Sight {
-  std::vector<vec2> tips_mm;    // other growing tips, from this one; none at distance 0
-  std::optional<Wall> crack;    // the nearest
-  std::optional<Wall> sibling;  // the nearest radial of the same impact, for a radial
+  std::span<const vec2> tips_mm;  // other growing tips, from this one; none at distance 0
+  std::optional<Wall> crack;      // the nearest
+  std::optional<Wall> sibling;    // the nearest radial of the same impact, for a radial
   std::optional<Wall> edge;
 };
 
@@ -41,11 +41,14 @@ vec2 force_of(const Sight& sight, const Growth& growth);
 // Where a ring crack at `at_mm` has to go to follow its circle: along it, and back to it where it has left it (rule 5).
 vec2 direction_along(const Ring& ring, vec2 at_mm);
 
-// weight of eq. 19, of a crack that started `age` ago.
-double weight(double age, const Growth& growth);
+// 1 − weight of eq. 19, of a crack that started `age` ago. That of a longer age is the product of those of its parts.
+double inertia(double age, const Growth& growth);
 
-// The angle by which a tip turns in a step of `step_px` (eq. 12 to 15, 18), for its share of turn_length.
-Angle turn(vec2 force, vec2 heading, double age, double step_px, const Growth& growth);
+// The angle by which a tip of that weight turns in a step of `step_px` (eq. 12 to 15, 18), for its share of turn_length.
+Angle turn(vec2 force, vec2 heading, double weight, double step_px, const Growth& growth);
+
+// `v` turned counter-clockwise by `angle`.
+vec2 turned(vec2 v, Angle angle);
 
 // F3 of such a step, of magnitude 1: about the heading, its direction off by `deviate`, a standard normal number, times what
 // makes the turns over turn_length have the standard deviation `wander`.

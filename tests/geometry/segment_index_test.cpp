@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <vector>
 
 #include "core/random.h"
+#include "geometry/cell_grid.h"
 #include "geometry/point_index.h"
 #include "geometry/predicates.h"
 
@@ -35,8 +39,8 @@ std::vector<Segment> random_segments(int count) {
 }
 
 Sector random_sector(std::uint32_t draw) {
-  return {point("apex", draw, 60.0), Angle::radians(number("axis", draw, pi)).direction(),
-          Angle::degrees(100.0 + number("opening", draw, 79.0)), 15.0 + number("radius", draw, 14.0)};
+  const SectorShape shape(Angle::degrees(100.0 + number("opening", draw, 79.0)), 15.0 + number("radius", draw, 14.0));
+  return {point("apex", draw, 60.0), Angle::radians(number("axis", draw, pi)).direction(), shape};
 }
 
 TEST(SegmentIndex, VisitsEverySegmentThatMeetsAnother) {
@@ -103,7 +107,7 @@ TEST(SegmentIndex, FindsTheNearestInASectorAsAllPairsDo) {
       const auto nearest = sector.nearest_point(to_mm(segment.a), to_mm(segment.b));
       if (nearest) least = std::min(least, glm::length(*nearest - sector.apex()));
     }
-    const auto nearest = index.nearest_in(sector, 3);
+    const auto nearest = index.nearest_in(sector, [](const Segment& segment) { return segment.owner != 3; });
     ASSERT_EQ(nearest.has_value(), least <= sector.radius());
     if (!nearest) continue;
     ++found;
@@ -119,30 +123,72 @@ TEST(PointIndex, FindsTheNearestInASectorAsAllPairsDo) {
   // A crowd about the origin, as tips about an impact, and some farther out; the first lies on another.
   for (std::uint32_t i = 0; i < 400; ++i) points.push_back(point("point", i, i % 3 == 0 ? 60.0 : 2.0));
   points[0] = points[1];
-  const PointIndex index(points);
+  PointIndex index(3.0);
+  // Each has moved about before it lies where it does, and some were removed.
+  for (int i = 0; i < 400; ++i) {
+    index.put(i, point("before", static_cast<std::uint32_t>(i), 40.0));
+    index.put(i, points[static_cast<std::size_t>(i)]);
+    if (i % 11 == 5) index.remove(i);
+  }
+  const auto kept = [](int i) { return i % 11 != 5; };
   std::size_t most = 0;
   for (std::uint32_t draw = 0; draw < 500; ++draw) {
     const Sector sector = draw % 2 == 0 ? random_sector(draw)
                                         : Sector(points[draw % 400], Angle::radians(number("axis", draw, pi)).direction(),
-                                                 Angle::degrees(100.0), 10.0);
+                                                 SectorShape(Angle::degrees(100.0), 10.0));
     std::vector<int> expected;
     for (int i = 0; i < 400; ++i) {
       const vec2 p = points[static_cast<std::size_t>(i)];
-      if (p != sector.apex() && sector.contains(p)) expected.push_back(i);
+      if (kept(i) && p != sector.apex() && sector.contains(p)) expected.push_back(i);
     }
     std::ranges::stable_sort(expected, {}, [&](int i) {
       const vec2 offset = points[static_cast<std::size_t>(i)] - sector.apex();
       return glm::dot(offset, offset);
     });
     expected.resize(std::min<std::size_t>(expected.size(), 8));
-    EXPECT_EQ(index.nearest_in(sector, 8), expected);
+    std::array<PointIndex::Found, 8> found;
+    std::vector<int> numbers(index.nearest_in(sector, found));
+    std::transform(found.begin(), found.begin() + std::ssize(numbers), numbers.begin(), [](const auto& f) { return f.number; });
+    EXPECT_EQ(numbers, expected);
     most = std::max(most, expected.size());
   }
   EXPECT_EQ(most, 8U);
 }
 
+// Against a map of all numbers by their cells, about the origin, where columns and rows change their sign.
+TEST(CellGrid, HoldsWhatWasAddedAndNotRemoved) {
+  CellGrid grid;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::multiset<int>> expected;
+  const auto cell = [](std::uint32_t draw) {
+    return std::pair{std::llround(number("column", draw, 20.0)), std::llround(number("row", draw, 20.0))};
+  };
+  for (std::uint32_t i = 0; i < 6000; ++i) {
+    grid.add(cell(i).first, cell(i).second, static_cast<int>(i));
+    expected[cell(i)].insert(static_cast<int>(i));
+    if (i < 1000) continue;
+    const std::uint32_t gone = i - 1000;  // so that some 1,000 of them, and free places, are always there
+    grid.remove(cell(gone).first, cell(gone).second, static_cast<int>(gone));
+    expected[cell(gone)].erase(static_cast<int>(gone));
+  }
+  std::erase_if(expected, [](const auto& entry) { return entry.second.empty(); });
+  for (const CellBox& box : {CellBox{-30, -30, 30, 30}, CellBox{-9, -3, 4, 12}, CellBox{2, 2, 5, 5}, CellBox{7, -8, 8, -8}}) {
+    std::map<std::pair<std::int64_t, std::int64_t>, std::multiset<int>> found;
+    grid.visit_occupied(box, [&](std::int64_t column, std::int64_t row) {
+      grid.visit(column, row, [&](int n) { found[{column, row}].insert(n); });
+    });
+    auto within = expected;
+    std::erase_if(within, [&](const auto& entry) {
+      const auto [column, row] = entry.first;
+      return column < box.first_column || column > box.last_column || row < box.first_row || row > box.last_row;
+    });
+    EXPECT_EQ(found, within);
+    EXPECT_EQ(grid.is_empty(box), within.empty());
+  }
+  EXPECT_TRUE(grid.is_empty({100, 100, 140, 140}));
+}
+
 TEST(Sector, TakesTheNearestPartOfASegmentThatItSees) {
-  const Sector sector({0.0, 0.0}, {1.0, 0.0}, Angle::degrees(90.0), 10.0);
+  const Sector sector({0.0, 0.0}, {1.0, 0.0}, SectorShape(Angle::degrees(90.0), 10.0));
   // Straight across: the foot of the perpendicular.
   EXPECT_EQ(sector.nearest_point({4.0, -9.0}, {4.0, 9.0}), vec2(4.0, 0.0));
   // Passing by: the foot lies behind, so the point where it enters the fan.
@@ -153,6 +199,24 @@ TEST(Sector, TakesTheNearestPartOfASegmentThatItSees) {
   EXPECT_FALSE(sector.nearest_point({-4.0, -9.0}, {-4.0, 9.0}).has_value());
   EXPECT_FALSE(sector.nearest_point({1.0, 2.0}, {3.0, 9.0}).has_value());
   EXPECT_FALSE(sector.nearest_point({10.5, -1.0}, {10.5, 1.0}).has_value());
+}
+
+TEST(Sector, BoundsHoldWhatItContains) {
+  int contained = 0;
+  for (std::uint32_t draw = 0; draw < 300; ++draw) {
+    const Sector sector = random_sector(draw);
+    const double reach = 0.6 * sector.radius();
+    const auto [low, high] = sector.bounds(reach);
+    for (std::uint32_t k = 0; k < 30; ++k) {
+      const vec2 p = sector.apex() + point("probe", 30 * draw + k, reach);
+      if (!sector.contains(p) || glm::length(p - sector.apex()) > reach) continue;
+      ++contained;
+      EXPECT_TRUE(glm::all(glm::lessThanEqual(low, p)) && glm::all(glm::lessThanEqual(p, high)));
+      EXPECT_TRUE(sector.may_meet(p - 0.1, p + 0.1, reach));
+    }
+    EXPECT_FALSE(sector.may_meet(high + 0.01, high + 1.0, reach));
+  }
+  EXPECT_GT(contained, 1000);
 }
 
 }  // namespace

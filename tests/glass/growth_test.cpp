@@ -109,7 +109,7 @@ TEST(Growth, RefusesWhatCannotBe) {
   }
   pane.impacts[0].at_mm = {0.001, 5.0};
   EXPECT_EQ(faults(grown_cracks(pane, 1), pane.outline_mm), std::vector<std::string>{});
-  pane.growth.time_step = 1e-6;
+  pane.growth.step_length = 1e-6;
   EXPECT_THROW(grown_cracks(pane, 1), InputError);
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/functions.h"
 
 namespace shatterpave::glass {
@@ -9,48 +11,58 @@ namespace {
 
 constexpr vec2 ahead{1.0, 0.0};
 
-TEST(Steering, WeightIsThatOfEquation19) {
+TEST(Steering, InertiaIsThatOfEquation19) {
   const Growth growth;
-  EXPECT_EQ(weight(0.0, growth), 0.0);
-  EXPECT_NEAR(weight(10.0, growth), 1.0 - 1.0 / 2.718281828459045, 1e-15);
-  EXPECT_GT(weight(1000.0, growth), 1.0 - 1e-12);
+  EXPECT_EQ(inertia(0.0, growth), 1.0);
+  EXPECT_NEAR(inertia(10.0, growth), 1.0 / 2.718281828459045, 1e-15);
+  EXPECT_LT(inertia(1000.0, growth), 1e-12);
+  EXPECT_NEAR(inertia(3.0, growth) * inertia(4.0, growth), inertia(7.0, growth), 1e-15);
 }
 
 TEST(Steering, TurnIsTheClampedDifferenceTimesTheWeight) {
   const Growth growth;
-  const double w = weight(5.0, growth);
-  EXPECT_NEAR(turn(rotated(ahead, Angle::degrees(20.0)), ahead, 5.0, 10.0, growth).degrees(), 20.0 * w, 1e-12);
-  EXPECT_NEAR(turn(rotated(ahead, Angle::degrees(-20.0)), ahead, 5.0, 10.0, growth).degrees(), -20.0 * w, 1e-12);
-  EXPECT_NEAR(turn(rotated(ahead, Angle::degrees(80.0)), ahead, 5.0, 10.0, growth).degrees(), 30.0 * w, 1e-12);
-  EXPECT_NEAR(turn(rotated(ahead, Angle::degrees(-179.0)), ahead, 5.0, 10.0, growth).degrees(), -30.0 * w, 1e-12);
+  const double w = 0.4;
+  EXPECT_NEAR(turn(rotated(ahead, Angle::degrees(20.0)), ahead, w, 10.0, growth).degrees(), 20.0 * w, 1e-12);
+  EXPECT_NEAR(turn(rotated(ahead, Angle::degrees(-20.0)), ahead, w, 10.0, growth).degrees(), -20.0 * w, 1e-12);
+  EXPECT_NEAR(turn(rotated(ahead, Angle::degrees(80.0)), ahead, w, 10.0, growth).degrees(), 30.0 * w, 1e-12);
+  EXPECT_NEAR(turn(rotated(ahead, Angle::degrees(-179.0)), ahead, w, 10.0, growth).degrees(), -30.0 * w, 1e-12);
+}
+
+TEST(Steering, TurnedIsRotated) {
+  for (int i = -18; i <= 18; ++i) {
+    const Angle angle = Angle::degrees(20.0 * i);
+    EXPECT_NEAR(glm::length(turned({3.0, -4.0}, angle) - rotated({3.0, -4.0}, angle)), 0.0, 1e-14);
+  }
 }
 
 TEST(Steering, ShortStepsTurnByTheirShare) {
   const Growth growth;
   const vec2 force = rotated(ahead, Angle::degrees(20.0));
-  EXPECT_NEAR(turn(force, ahead, 5.0, 2.5, growth).degrees(), 5.0 * weight(5.0, growth), 1e-12);
-  EXPECT_EQ(turn(force, ahead, 5.0, 25.0, growth), turn(force, ahead, 5.0, 10.0, growth));
+  EXPECT_NEAR(turn(force, ahead, 0.4, 2.5, growth).degrees(), 5.0 * 0.4, 1e-12);
+  EXPECT_EQ(turn(force, ahead, 0.4, 25.0, growth), turn(force, ahead, 0.4, 10.0, growth));
 }
 
 // The turns of four quarter steps shall spread as that of a whole one: variances add.
 TEST(Steering, WanderIsThatOfTheLengthGone) {
   const Growth growth;
-  const auto turned = [&](double step_px) {
-    return turn(wandering_force(ahead, 1.0, step_px, growth), ahead, 1e6, step_px, growth).degrees();
+  const auto off = [&](double step_px) {
+    return turn(wandering_force(ahead, 1.0, step_px, growth), ahead, 1.0, step_px, growth).degrees();
   };
-  EXPECT_NEAR(turned(10.0), growth.wander.degrees(), 1e-9);
-  EXPECT_NEAR(4.0 * turned(2.5) * turned(2.5), turned(10.0) * turned(10.0), 1e-9);
+  EXPECT_NEAR(off(10.0), growth.wander.degrees(), 1e-9);
+  EXPECT_NEAR(4.0 * off(2.5) * off(2.5), off(10.0) * off(10.0), 1e-9);
 }
 
 TEST(Steering, TipsPushAwayWithTheSquareOfTheDistance) {
   const Growth growth;
+  const std::array<vec2, 1> near_tip = {vec2{3.0 * px_mm, 4.0 * px_mm}};
   Sight near;
-  near.tips_mm = {{3.0 * px_mm, 4.0 * px_mm}};
+  near.tips_mm = near_tip;
   const vec2 force = force_of(near, growth);
   EXPECT_NEAR(glm::length(force), growth.tip_gain / 25.0, 1e-12);
   EXPECT_NEAR(glm::dot(glm::normalize(force), vec2(-0.6, -0.8)), 1.0, 1e-12);
+  const std::array<vec2, 1> far_tip = {2.0 * near_tip[0]};
   Sight far;
-  far.tips_mm = {{6.0 * px_mm, 8.0 * px_mm}};
+  far.tips_mm = far_tip;
   EXPECT_NEAR(glm::length(force_of(far, growth)), 0.25 * glm::length(force), 1e-12);
 }
 

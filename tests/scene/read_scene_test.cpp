@@ -134,7 +134,7 @@ TEST(ReadScene, EveryGrowthKeyReachesItsValue) {
                                          "sector_radius_px = 51",
                                          "turn_limit_deg = 29",
                                          "weight_time = 11",
-                                         "time_step = 0.3",
+                                         "step_length_px = 3",
                                          "reference_radial_count = 90",
                                          "energy_exponent = 1",
                                          "count_dispersion = 2",

@@ -141,7 +141,7 @@ Growth random_growth(double diagonal_mm, Draws& draws) {
   growth.radial_speed = draws.scale(0.1, 1000.0);
   growth.large_speed = draws.scale(0.1, 1000.0);
   growth.circular_speed = draws.scale(0.1, 1000.0);
-  growth.time_step = draws.scale(0.01, 2.0);
+  growth.step_length = draws.scale(0.1, 100.0);
   growth.sector_angle = Angle::degrees(draws.between(1.0, 180.0));
   growth.sector_radius = draws.scale(1.0, 200.0);
   growth.turn_limit = Angle::degrees(draws.between(0.0, 90.0));
@@ -150,7 +150,7 @@ Growth random_growth(double diagonal_mm, Draws& draws) {
   growth.tip_gain = draws.chance(0.5) ? 40.0 : draws.scale(1.0, 1e6);
   growth.crack_gain = draws.chance(0.5) ? 60.0 : draws.scale(1.0, 1e6);
   growth.sibling_gain = draws.chance(0.5) ? 0.0 : draws.scale(1.0, 1e6);
-  growth.edge_gain = draws.chance(0.5) ? 350.0 : draws.scale(1.0, 1e6);
+  growth.edge_gain = draws.chance(0.5) ? 500.0 : draws.scale(1.0, 1e6);
   growth.wander = Angle::degrees(draws.between(0.0, 90.0));
   growth.radial_pull = draws.scale(0.01, 1000.0);
   growth.ring_pull = draws.scale(0.01, 1000.0);
@@ -164,9 +164,7 @@ Growth random_growth(double diagonal_mm, Draws& draws) {
 // No pane is to need more steps than this from side to side.
 void hasten(Growth& growth, double diagonal_mm) {
   constexpr double most_steps = 200.0;
-  const double least = diagonal_mm / (most_steps * growth.time_step * px_mm * (1.0 - growth.spread_limit));
-  growth.large_speed = std::max(growth.large_speed, least);
-  growth.circular_speed = std::max(growth.circular_speed, least);
+  growth.step_length = std::max(growth.step_length, diagonal_mm / (most_steps * px_mm));
 }
 
 }  // namespace

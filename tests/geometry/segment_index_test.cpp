@@ -214,7 +214,7 @@ TEST(Sector, BoundsHoldWhatItContains) {
       EXPECT_TRUE(glm::all(glm::lessThanEqual(low, p)) && glm::all(glm::lessThanEqual(p, high)));
       EXPECT_TRUE(sector.may_meet(p - 0.1, p + 0.1, reach));
     }
-    EXPECT_FALSE(sector.may_meet(high + 0.01, high + 1.0, reach));
+    EXPECT_FALSE(sector.may_meet(sector.apex() + reach, sector.apex() + 2.0 * reach, reach));
   }
   EXPECT_GT(contained, 1000);
 }

@@ -144,6 +144,7 @@ TEST(ReadScene, EveryGrowthKeyReachesItsValue) {
                                          "circular_offset = 0.6",
                                          "large_slope = 0.07",
                                          "large_offset = 3.5",
+                                         "large_deviation = 1",
                                          "large_rounding = \"down\"",
                                          "ring_radius_slope_mm = 0.5",
                                          "ring_radius_offset_mm = 14",

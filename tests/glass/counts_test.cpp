@@ -188,8 +188,8 @@ TEST(Spread, IsTheCutNormalLaw) {
   }
   EXPECT_LE(std::ranges::max(offsets), 1.0 + 1e-12);
   EXPECT_GE(std::ranges::min(offsets), -1.0 - 1e-12);
-  EXPECT_GT(support::kolmogorov_p(offsets, [](double x) { return cut_normal(x, 0.5); }), support::significance());
-  EXPECT_LT(support::kolmogorov_p(offsets, [](double x) { return cut_normal(x, 0.6); }), support::significance());
+  EXPECT_GT(support::kolmogorov_p(offsets, [](double x) { return cut_normal(x, 1.0 / 3.0); }), support::significance());
+  EXPECT_LT(support::kolmogorov_p(offsets, [](double x) { return cut_normal(x, 0.4); }), support::significance());
 }
 
 TEST(Spread, IsUniformWhereAsked) {

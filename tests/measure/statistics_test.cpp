@@ -92,7 +92,7 @@ TEST(PaneStatistics, RingsOfAnotherRadiusAreFound) {
   EXPECT_EQ(verdict(summary, "ring_radius_line"), Verdict::fails);
 }
 
-// Turns each radial about its impact, so that all of them run in six bundles, each as wide as a third of its sixth of the
+// Turns each radial about its impact, so that all of them run in six bundles, each as wide as a tenth of its sixth of the
 // circle.
 void bundle(glass::CrackNetwork& network) {
   const Angle sixth = Angle::degrees(60.0);
@@ -101,7 +101,7 @@ void bundle(glass::CrackNetwork& network) {
     const vec2 centre = crack.points_mm.front();
     const Angle direction = Angle::of(crack.points_mm.back() - centre);
     const Angle nearest = sixth * std::round(direction.degrees() / sixth.degrees());
-    const Angle turn = (nearest - direction) * (2.0 / 3.0);
+    const Angle turn = (nearest - direction) * 0.9;
     for (vec2& p : crack.points_mm) p = centre + rotated(p - centre, turn);
   }
 }

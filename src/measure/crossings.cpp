@@ -152,6 +152,7 @@ std::vector<Crossing> crossings(const glass::CrackNetwork& network) {
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   std::vector<Crossing> result;
+  result.reserve(found.size());
   for (const Meeting& meeting : found) result.push_back(meeting.crossing);
   return result;
 }

@@ -105,6 +105,7 @@ TEST(EdgeAngle, IsOfTheLastChordToTheSideThatItMeets) {
 
 TEST(GapRatio, IsNoughtForEvenOneForRandomAndMoreForBundledDirections) {
   std::vector<Angle> even;
+  even.reserve(8);
   for (int i = 0; i < 8; ++i) even.push_back(Angle::degrees(45.0 * ((3 * i) % 8) - 180.0));
   EXPECT_NEAR(gap_ratio(even), 0.0, 1e-12);
   // Gaps of 30°, 90° and 240°: about a mean of 120°, (90² + 30² + 120²) / 3 / 120² = 13/24; for 3 at random it is 2/4.

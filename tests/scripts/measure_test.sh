@@ -27,8 +27,8 @@ TOML
 # opened PAGE: the page as it is once its scripts have run, and what the browser says of it.
 opened() {
   chromium --headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking --disable-component-update \
-    --disable-sync --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir="$scratch/browser" --enable-logging=stderr \
-    --virtual-time-budget=10000 --dump-dom "file://$1" 2>"$scratch/console"
+    --disable-sync --disable-dev-shm-usage --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir="$scratch/browser" \
+    --enable-logging=stderr --virtual-time-budget=10000 --dump-dom "file://$1" 2>"$scratch/console"
   # Errors of scripts, and what the page asked for in vain, are told with the word CONSOLE.
   grep CONSOLE "$scratch/console" || true
 }

@@ -30,6 +30,9 @@ enum class Stream : std::uint32_t {
   stone_tilt = 27,
   ashlar_size = 28,  // size of the stone at a module of random ashlar
   crazy_seed = 29,   // seed of a stone of crazy paving
+  stone_place = 30,  // size, rotation and offset of a stone
+  stone_missing = 31,
+  stone_sink = 32,
   debris = 40,  // crushed zone and other litter about an impact
 };
 

@@ -15,6 +15,7 @@
 #include "paving/cutting.h"
 #include "paving/packing.h"
 #include "paving/settling.h"
+#include "paving/variation.h"
 
 namespace shatterpave::paving {
 
@@ -145,6 +146,22 @@ void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, st
                 {whole_face_mm2(pavement), pavement.joint_mm, packed ? -1.0 : rounding_mm2(pavement.stone_mm)}, layout);
 }
 
+// The border course, and the bond within it.
+void append_bordered_bond(const Pavement& pavement, std::uint64_t seed, StoneLayout& layout) {
+  BorderedArea parts = bordered_area(pavement);
+  const Setting course = bonded_setting(border_tiles(pavement, parts.course));
+  const vec2 stone = border_stone_mm(pavement);
+  for (const geometry::Region& region : parts.course) {
+    const StoneSize size{stone.x * stone.y, pavement.joint_mm, rounding_mm2(stone)};
+    append_stones(course, region, geometry::RegionIndex(region), size, layout);
+  }
+  Pavement within = pavement;
+  for (geometry::Region& region : parts.within) {
+    within.area = std::move(region);
+    append_bond(within, geometry::RegionIndex(within.area), seed, layout);
+  }
+}
+
 }  // namespace
 
 StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
@@ -158,21 +175,10 @@ StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
   StoneLayout layout;
   if (pavement.border.course == BorderCourse::none) {
     append_bond(pavement, area, seed, layout);
-    return layout;
+  } else {
+    append_bordered_bond(pavement, seed, layout);
   }
-  BorderedArea parts = bordered_area(pavement);
-  const Setting course = bonded_setting(border_tiles(pavement, parts.course));
-  const vec2 stone = border_stone_mm(pavement);
-  for (const geometry::Region& region : parts.course) {
-    const StoneSize size{stone.x * stone.y, pavement.joint_mm, rounding_mm2(stone)};
-    append_stones(course, region, geometry::RegionIndex(region), size, layout);
-  }
-  Pavement within = pavement;
-  for (geometry::Region& region : parts.within) {
-    within.area = std::move(region);
-    append_bond(within, geometry::RegionIndex(within.area), seed, layout);
-  }
-  return layout;
+  return varied(std::move(layout), pavement, seed);
 }
 
 }  // namespace shatterpave::paving

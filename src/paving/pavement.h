@@ -80,6 +80,17 @@ struct StoneSurface {
   bool operator==(const StoneSurface&) const = default;
 };
 
+// How stones differ from the places that the bond gives them; each draws its own, evenly within ± the value. A stone moves no
+// corner farther than into its half of the joint, whatever is asked: so stones never touch and never leave the area.
+struct Variation {
+  double size = 0.0;       // larger or smaller by this part, 0 … 0.5
+  Angle rotation;          // 0 … 45°
+  double offset_mm = 0.0;  // along x and along y, >= 0
+  double sink_mm = 0.0;    // lower by up to this, >= 0
+  double missing = 0.0;    // part of the stones that are not there, 0 … 1
+  bool operator==(const Variation&) const = default;
+};
+
 // Micro relief: a fractal surface on top (§4 (2)).
 struct Relief {
   double rms_mm = 0.6;  // root mean square of the height, >= 0; 0 leaves it out
@@ -96,6 +107,7 @@ struct Pavement {
   Bonding bonding;
   Border border;
   StoneSurface surface;
+  Variation variation;
   Relief relief;
 
   bool operator==(const Pavement&) const = default;

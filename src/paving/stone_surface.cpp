@@ -285,6 +285,7 @@ StoneDraws stone_draws(const Pavement& pavement, std::uint64_t seed, int stone_i
   draws.height_mm = surface.height_mm * (1.0 + surface.height_spread * around_zero(Stream::stone_height, 0));
   draws.inset = std::clamp(surface.inset * (1.0 + surface.inset_spread * around_zero(Stream::stone_inset, 0)), 0.0, 0.5);
   draws.slope = largest_slope * vec2{around_zero(Stream::stone_tilt, 0), around_zero(Stream::stone_tilt, 1)};
+  draws.sink_mm = pavement.variation.sink_mm * draw(Stream::stone_sink, 0);
   draws.colour = draw(Stream::stone_colour, 0);
   draws.relief_place = {draw(Stream::stone_relief, 0), draw(Stream::stone_relief, 1)};
   return draws;
@@ -298,6 +299,9 @@ std::vector<BezierPatch> surface_patches(const Polygon& outline, const StoneDraw
     if (geometry::area(piece) <= 0.0) continue;
     const std::vector<BezierPatch> part = convex_patches(piece, draws);
     patches.insert(patches.end(), part.begin(), part.end());
+  }
+  for (BezierPatch& patch : patches) {
+    for (vec3& point : patch.control_points) point.z -= draws.sink_mm;
   }
   return patches;
 }

@@ -22,6 +22,7 @@ namespace shatterpave::paving {
 // What a stone draws for itself: a function of the seed, the name of its pavement and its id alone.
 struct StoneDraws {
   double height_mm = 0.0;       // of the inner control points
+  double sink_mm = 0.0;         // how much lower than its neighbours it lies
   double inset = 0.0;           // D, fraction of the stone, 0 … 0.5
   vec2 slope{0.0, 0.0};         // tilt: rise per mm along x and y
   double colour = 0.0;          // [0, 1), for the choice among the colours of the pavement

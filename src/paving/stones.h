@@ -14,7 +14,7 @@ enum class StoneKind {
 };
 
 struct Stone {
-  int id = 0;  // its index
+  int id = 0;  // its index among all that were laid; those of missing stones are left out
   StoneKind kind = StoneKind::whole;
   geometry::Polygon outline_mm;  // its face before edges are rounded; counter-clockwise, simple, on the lattice
   Angle angle;                   // of its rows, from +x

@@ -93,6 +93,16 @@ void read_surface(const TomlTable& pavement, paving::StoneSurface& surface) {
   table->read("inset_spread", {0.0, 1.0}, surface.inset_spread);
 }
 
+void read_variation(const TomlTable& pavement, paving::Variation& variation) {
+  const auto table = pavement.table("variation", {"size", "rotation_deg", "offset_mm", "sink_mm", "missing"});
+  if (!table) return;
+  table->read("size", {0.0, 0.5}, variation.size);
+  variation.rotation = Angle::degrees(table->number("rotation_deg", {0.0, 45.0}).value_or(0.0));
+  table->read("offset_mm", {0.0, 1000.0}, variation.offset_mm);
+  table->read("sink_mm", {0.0, 1000.0}, variation.sink_mm);
+  table->read("missing", {0.0, 1.0}, variation.missing);
+}
+
 void read_relief(const TomlTable& pavement, paving::Relief& relief) {
   const auto table = pavement.table("relief", {"rms_mm", "hurst"});
   if (!table) return;
@@ -120,6 +130,7 @@ paving::Pavement pavement_of(const TomlTable& table) {
   pavement.bonding = bonding_of(table);
   pavement.border = border_of(table);
   read_surface(table, pavement.surface);
+  read_variation(table, pavement.variation);
   read_relief(table, pavement.relief);
   return pavement;
 }
@@ -130,9 +141,10 @@ std::vector<paving::Pavement> pavements_of(const TomlTable& root) {
   std::vector<paving::Pavement> pavements;
   for (const TomlTable& table :
        root.tables("pavement", most_pavements,
-                   {"name", "size_mm", "outline_mm", "outline_file", "outline_feature", "outline_units", "holes_mm",
-                    "stone_preset", "stone_mm", "joint_mm", "direction", "bond", "bond_offset", "bond_turn_deg", "bond_span_mm",
-                    "border_course", "border_stone_mm", "surface", "relief"})) {
+                   {"name",        "size_mm",       "outline_mm",   "outline_file",  "outline_feature", "outline_units",
+                    "holes_mm",    "stone_preset",  "stone_mm",     "joint_mm",      "direction",       "bond",
+                    "bond_offset", "bond_turn_deg", "bond_span_mm", "border_course", "border_stone_mm", "surface",
+                    "variation",   "relief"})) {
     pavements.push_back(pavement_of(table));
   }
   return pavements;

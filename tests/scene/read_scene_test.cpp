@@ -188,6 +188,13 @@ TEST(ReadScene, StonePresetIsASizeThatKeysBesideItOverrule) {
   EXPECT_EQ(wider.joint_mm, 5.0);
 }
 
+TEST(ReadScene, ReadsTheVariation) {
+  const paving::Pavement p = read(path("[pavement.variation]\nsize = 0.1\nrotation_deg = 3\noffset_mm = 2\nsink_mm = 4\n"
+                                       "missing = 0.01\n"))
+                                 .pavements[0];
+  EXPECT_EQ(p.variation, (paving::Variation{0.1, Angle::degrees(3), 2, 4, 0.01}));
+}
+
 TEST(ReadScene, ReadsTheBorderCourse) {
   const auto border = [](const std::string& lines) { return read(path(lines)).pavements[0].border; };
   EXPECT_EQ(border(""), paving::Border{});

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace shatterpave::geometry {
@@ -126,8 +127,9 @@ class CellGrid {
 
   std::vector<Slot> slots_;  // a power of two of them, at most half in use
   int shift_ = 0;            // 64 − log2 of their number
-  std::vector<Tile> tiles_;
-  std::vector<Chunk> chunks_;
+  // Deques: what was stored is never moved again, and where much is kept, to copy it would cost more than all else.
+  std::deque<Tile> tiles_;
+  std::deque<Chunk> chunks_;
   int free_ = none;  // first of the chunks that are not in use
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -97,7 +98,7 @@ class SegmentIndex {
   void improve(const Sector& sector, int number, std::optional<Nearest>& best) const;
 
   int cell_bits_;
-  std::vector<Segment> segments_;
+  std::deque<Segment> segments_;
   CellGrid grid_;
 };
 

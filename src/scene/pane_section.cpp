@@ -18,7 +18,7 @@ namespace {
 using glass::Growth;
 
 constexpr std::size_t most_panes = 1000;
-constexpr std::size_t most_impacts = 100;
+constexpr std::size_t most_impacts = 1000;
 constexpr int most_radials = 10'000;
 constexpr int most_ring_starts = 1000;
 

@@ -20,6 +20,11 @@ cp /etc/apt/sources.list.d/debian.sources "$target/etc/apt/sources.list.d/"
 rm -rf "${target:?}$project"
 git clone -q --no-hardlinks "$root" "$target$project"
 rm -rf "$target$project/.git" # git is not installed there, and not needed
+# The report's plotting library as it was fetched here, if it was: npm may need settings of the machine's to reach its registry.
+if compgen -G "$root/build/plots/*.tgz" >/dev/null; then
+  mkdir -p "$target$project/build/plots"
+  cp "$root"/build/plots/*.tgz "$target$project/build/plots/"
+fi
 
 mountpoint -q "$target/proc" || mount -t proc proc "$target/proc"
 trap 'umount "$target/proc"' EXIT

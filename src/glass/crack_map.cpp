@@ -244,6 +244,16 @@ std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to) {
   return Arrest{record(crack).end, {}};
 }
 
+// A crack but `but` that ends in the point, −1 if none does: cracks that end in one point of the edge touch one another.
+int CrackMap::ended_at(LatticePoint at, int but) const {
+  int found = -1;
+  index_.visit_near(at, at, [&](int number) {
+    const Segment& segment = index_.segment(number);
+    if (segment.owner != edge_owner && segment.owner != but && segment.b == at) found = segment.owner;
+  });
+  return found;
+}
+
 // Ends the crack at `joint` on the segment `met`.
 Arrest CrackMap::join(int crack, LatticePoint joint, int met) {
   Record& ending = record(crack);
@@ -253,14 +263,13 @@ Arrest CrackMap::join(int crack, LatticePoint joint, int met) {
     ending.points.push_back(joint);
   }
   ending.growing = false;
-  if (segment.owner == edge_owner) {
-    ending.end = {CrackEnd::At::edge, std::nullopt};
-    return {ending.end, {}};
-  }
-  if (joint != segment.a && joint != segment.b) insert_vertex(met, joint);
-  ending.end = {CrackEnd::At::crack, segment.owner};
-  Arrest arrest{ending.end, closed_region(crack, segment.owner)};
-  Record& other = record(segment.owner);
+  const bool at_edge = segment.owner == edge_owner;
+  const int touched = at_edge ? ended_at(joint, crack) : segment.owner;
+  ending.end = at_edge ? CrackEnd{CrackEnd::At::edge, std::nullopt} : CrackEnd{CrackEnd::At::crack, touched};
+  if (touched < 0) return {ending.end, {}};
+  if (joint != segment.a && joint != segment.b && !at_edge) insert_vertex(met, joint);
+  Arrest arrest{ending.end, closed_region(crack, touched)};
+  Record& other = record(touched);
   graph_.connect(ending.node, other.node, joint);
   if (other.growing && other.points.back() == joint) {
     other.growing = false;

@@ -95,6 +95,7 @@ class CrackMap {
   std::vector<Hit> hits(geometry::LatticePoint from, geometry::LatticePoint to) const;
   bool is_free(geometry::LatticePoint from, geometry::LatticePoint to, int except) const;
   bool can_join(geometry::LatticePoint from, geometry::LatticePoint joint, int met) const;
+  int ended_at(geometry::LatticePoint at, int but) const;
   Arrest join(int crack, geometry::LatticePoint joint, int met);
   void insert_vertex(int segment, geometry::LatticePoint point);
   std::vector<geometry::LatticePoint> closed_region(int crack, int met);

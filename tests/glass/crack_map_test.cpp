@@ -98,6 +98,25 @@ TEST(CrackMap, TellsTheRegionThatTheLastCrackCloses) {
   EXPECT_NEAR(std::abs(geometry::area(region)), 0.5 * (10.0 / 3.0 * 2.0 + 10.0 / 3.0 * 2.0), 0.01);
 }
 
+// The edge is no crack, but two cracks that end in one point of it surround what lies between them.
+TEST(CrackMap, CracksThatEndInOnePointOfTheEdgeCloseARegion) {
+  CrackMap map(square, 1.0);
+  const CrackMap::Hub impact = map.add_hub({5000, 5000});
+  const int straight = map.start(impact, CrackKind::large, 0, CrackEnd::At::impact);
+  const int bent = map.start(impact, CrackKind::large, 0, CrackEnd::At::impact);
+  EXPECT_TRUE(map.extend(straight, {15000, 9000})->closed_region.empty());
+  EXPECT_FALSE(map.extend(bent, {8000, 5000}).has_value());
+  const auto arrest = map.extend(bent, {12000, 9000});
+  ASSERT_TRUE(arrest.has_value());
+  EXPECT_EQ(arrest->end.at, CrackEnd::At::edge);
+  EXPECT_EQ(map.tip(bent), map.tip(straight));
+  geometry::Polygon region;
+  for (const LatticePoint p : arrest->closed_region) region.push_back(geometry::to_mm(p));
+  ASSERT_GE(region.size(), 3U);
+  EXPECT_TRUE(geometry::contains(region, {8.0, 5.5}));
+  EXPECT_FALSE(geometry::contains(region, {9.5, 6.0}));
+}
+
 TEST(CrackMap, AnImpactOnACrackBecomesAVertexOfIt) {
   CrackMap map(square, 1.0);
   const int first = started(map, {1000, 1000});

@@ -19,6 +19,9 @@ using geometry::Side;
 
 namespace {
 
+// Room that a crack is given at once: as many points as most radials come to.
+constexpr std::size_t usual_point_count = 16;
+
 // Whether the segments from `shared` to `p` and from `shared` to `q` lie on each other.
 bool overlap(LatticePoint shared, LatticePoint p, LatticePoint q) {
   if (geometry::side(shared, p, q) != Side::on) return false;
@@ -170,7 +173,9 @@ int CrackMap::start(Hub hub, CrackKind kind, int impact, CrackEnd::At start) {
   fresh.kind = kind;
   fresh.impact = impact;
   fresh.node = graph_.add();
-  fresh.points = {origin.at};
+  fresh.points.reserve(usual_point_count);
+  fresh.segments.reserve(usual_point_count);
+  fresh.points.push_back(origin.at);
   fresh.start = {start, std::nullopt};
   crack_of_node_.push_back(crack);
   graph_.connect(fresh.node, origin.node, origin.at);
@@ -323,6 +328,7 @@ std::vector<LatticePoint> CrackMap::closed_region(int crack, int met) {
   const int goal = record(met).node;
   if (!graph_.connected(ending.node, goal)) return {};
   std::vector<LatticePoint> border;
+  border.reserve(4 * usual_point_count);
   int node = ending.node;
   LatticePoint at = joint;
   for (const ContactGraph::Contact& step : graph_.way(ending.node, goal)) {

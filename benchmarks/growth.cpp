@@ -3,7 +3,6 @@
 // To hold: one pane of the paper's size, M = 105, in at most 2 ms; and a step of a tip at M = 100,000 in a large pane of many
 // impacts at no more than 1.3 times what it costs at M = 100.
 #include <benchmark/benchmark.h>
-#include <malloc.h>
 
 #include <cmath>
 
@@ -55,7 +54,8 @@ void one_impact(benchmark::State& state) {
 }
 BENCHMARK(one_impact)->Unit(benchmark::kMillisecond)->Arg(24)->Arg(105)->Arg(1000)->Arg(10000);
 
-// Impacts of 100 radials each, scattered over a pane whose area goes with their number: M = 100 … 100,000 in all.
+// Impacts of 100 radials each, scattered over a pane whose area goes with their number: M = 100 … 100,000 in all. Small panes
+// are grown over and over in memory that the process has by then, so large ones get a first round that does not count.
 void many_impacts(benchmark::State& state) {
   const auto count = static_cast<std::uint32_t>(state.range(0) / 100);
   const double side_mm = 300.0 * std::sqrt(static_cast<double>(count));
@@ -69,15 +69,3 @@ void many_impacts(benchmark::State& state) {
 BENCHMARK(many_impacts)->Unit(benchmark::kMillisecond)->MinWarmUpTime(0.1)->RangeMultiplier(10)->Range(100, 100000);
 
 }  // namespace
-
-// Small panes are grown over and over in memory that the process has by then. So that large ones are measured by the same
-// rule, they get a first round that does not count, and memory that was freed stays with the process: what the system takes
-// to hand out a page for the first time is no cost of growth.
-int main(int argc, char** argv) {
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, -1);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-}

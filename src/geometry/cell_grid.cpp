@@ -21,7 +21,7 @@ CellGrid::Tile& CellGrid::made_tile(std::int64_t column, std::int64_t row) {
   Slot& found = slots_[slot(wanted)];
   if (found.tile == none) {
     found = {wanted, static_cast<int>(tiles_.size())};
-    tiles_.emplace_back().first.fill(none);
+    tiles_.push_back({}).first.fill(none);
   }
   return tiles_[static_cast<std::size_t>(found.tile)];
 }
@@ -29,7 +29,7 @@ CellGrid::Tile& CellGrid::made_tile(std::int64_t column, std::int64_t row) {
 int CellGrid::fresh_chunk(int next) {
   const int at = free_ != none ? free_ : static_cast<int>(chunks_.size());
   if (free_ == none) {
-    chunks_.emplace_back();
+    chunks_.push_back({});
   } else {
     free_ = chunks_[static_cast<std::size_t>(free_)].next;
   }

@@ -6,8 +6,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <vector>
+
+#include "geometry/growing_store.h"
 
 namespace shatterpave::geometry {
 
@@ -127,9 +128,8 @@ class CellGrid {
 
   std::vector<Slot> slots_;  // a power of two of them, at most half in use
   int shift_ = 0;            // 64 − log2 of their number
-  // Deques: what was stored is never moved again, and where much is kept, to copy it would cost more than all else.
-  std::deque<Tile> tiles_;
-  std::deque<Chunk> chunks_;
+  GrowingStore<Tile> tiles_;
+  GrowingStore<Chunk> chunks_;
   int free_ = none;  // first of the chunks that are not in use
 };
 

@@ -15,13 +15,18 @@ SegmentIndex::SegmentIndex(double cell_mm)
 
 int SegmentIndex::add(const Segment& segment) {
   const int number = static_cast<int>(segments_.size());
-  segments_.push_back(segment);
+  const auto narrow = [](std::int64_t coordinate) {
+    const auto kept = static_cast<std::int32_t>(coordinate);
+    ENSURE(kept == coordinate);
+    return kept;
+  };
+  segments_.push_back({narrow(segment.a.x), narrow(segment.a.y), narrow(segment.b.x), narrow(segment.b.y), segment.owner});
   visit_cells(segment.a, segment.b, [&](std::int64_t column, std::int64_t row) { grid_.add(column, row, number); });
   return number;
 }
 
 void SegmentIndex::remove(int number) {
-  const Segment& gone = segment(number);
+  const Segment gone = segment(number);
   visit_cells(gone.a, gone.b, [&](std::int64_t column, std::int64_t row) { grid_.remove(column, row, number); });
 }
 
@@ -38,7 +43,7 @@ std::vector<int> SegmentIndex::near(LatticePoint p, LatticePoint q) const {
 }
 
 void SegmentIndex::improve(const Sector& sector, int number, std::optional<Nearest>& best) const {
-  const Segment& candidate = segment(number);
+  const Segment candidate = segment(number);
   const std::optional<vec2> point = sector.nearest_point(to_mm(candidate.a), to_mm(candidate.b));
   if (!point) return;
   const double distance = glm::length(*point - sector.apex());

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
 #include "geometry/cell_grid.h"
+#include "geometry/growing_store.h"
 #include "geometry/lattice.h"
 #include "geometry/sector.h"
 
@@ -30,7 +30,10 @@ class SegmentIndex {
   // The number of the new segment. Numbers are never used twice.
   int add(const Segment& segment);
   void remove(int number);
-  const Segment& segment(int number) const { return segments_[static_cast<std::size_t>(number)]; }
+  Segment segment(int number) const {
+    const Kept& kept = segments_[static_cast<std::size_t>(number)];
+    return {{kept.ax, kept.ay}, {kept.bx, kept.by}, kept.owner};
+  }
 
   // Calls visit(number) for every segment that may have a point in common with the one from `p` to `q`: for all that have, for
   // some that only come near, and for some more than once, in an order that depends on the calls of `add` and `remove` only.
@@ -67,6 +70,12 @@ class SegmentIndex {
   }
 
  private:
+  // Coordinates of scenes fit 31 bits (geometry/lattice.h): half the memory, which in large panes is what a look costs.
+  struct Kept {
+    std::int32_t ax, ay, bx, by;
+    int owner;
+  };
+
   // A power of two of lattice units, so that the cell of a coordinate is a shift, exact and rounded down.
   std::int64_t cell_of(std::int64_t coordinate) const { return coordinate >> cell_bits_; }
   std::int64_t cell_size() const { return std::int64_t{1} << cell_bits_; }
@@ -98,7 +107,7 @@ class SegmentIndex {
   void improve(const Sector& sector, int number, std::optional<Nearest>& best) const;
 
   int cell_bits_;
-  std::deque<Segment> segments_;
+  GrowingStore<Kept> segments_;
   CellGrid grid_;
 };
 

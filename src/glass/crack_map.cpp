@@ -134,7 +134,7 @@ CrackMap::Hub CrackMap::add_hub(LatticePoint at) {
   hub_places_.insert(at);
   std::vector<int> through;
   index_.visit_near(at, at, [&](int number) {
-    const Segment& segment = index_.segment(number);
+    const Segment segment = index_.segment(number);
     if (segment.owner != edge_owner && geometry::on_segment(segment.a, segment.b, at)) through.push_back(number);
   });
   for (const int number : distinct(std::move(through))) {
@@ -150,7 +150,7 @@ bool CrackMap::is_taken(LatticePoint at) const { return hub_places_.contains(at)
 bool CrackMap::is_taken(LatticePoint at, int except) const {
   bool taken = false;
   index_.visit_near(at, at, [&](int number) {
-    const Segment& segment = index_.segment(number);
+    const Segment segment = index_.segment(number);
     taken = taken || (number != except && geometry::on_segment(segment.a, segment.b, at));
   });
   return taken;
@@ -159,7 +159,7 @@ bool CrackMap::is_taken(LatticePoint at, int except) const {
 bool CrackMap::is_barred(LatticePoint from, LatticePoint to, int impact) const {
   bool barred = false;
   index_.visit_near(from, to, [&](int number) {
-    const Segment& segment = index_.segment(number);
+    const Segment segment = index_.segment(number);
     const bool bars = segment.owner == edge_owner || record(segment.owner).impact < impact;
     barred = barred || (bars && runs_into(from, to, segment));
   });
@@ -191,7 +191,7 @@ std::vector<CrackMap::Hit> CrackMap::hits(LatticePoint from, LatticePoint to) co
   });
   std::vector<Hit> found;
   for (const int number : distinct(std::move(met))) {
-    const Segment& segment = index_.segment(number);
+    const Segment segment = index_.segment(number);
     const bool at_once = segment.a == from || segment.b == from;
     found.push_back({number, at_once ? 0.0 : share_of_way(from, to, segment)});
   }
@@ -205,7 +205,7 @@ bool CrackMap::is_free(LatticePoint from, LatticePoint to, int except) const {
   bool free = true;
   index_.visit_near(from, to, [&](int number) {
     if (!free || number == except) return;
-    const Segment& segment = index_.segment(number);
+    const Segment segment = index_.segment(number);
     free = segment.owner == edge_owner ? within(from, to, segment) : apart(from, to, segment);
   });
   return free;
@@ -213,7 +213,7 @@ bool CrackMap::is_free(LatticePoint from, LatticePoint to, int except) const {
 
 // Whether a crack whose last vertex is `from` can end at `joint` on the segment `met`, which is led through it.
 bool CrackMap::can_join(LatticePoint from, LatticePoint joint, int met) const {
-  const Segment& segment = index_.segment(met);
+  const Segment segment = index_.segment(met);
   if (from != joint && !is_free(from, joint, met)) return false;
   if (is_edge(met)) {
     return within(from, joint, segment) && is_beside(joint, segment) && geometry::contains(outline_, geometry::to_mm(joint));
@@ -253,7 +253,7 @@ std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to) {
 int CrackMap::ended_at(LatticePoint at, int but) const {
   int found = -1;
   index_.visit_near(at, at, [&](int number) {
-    const Segment& segment = index_.segment(number);
+    const Segment segment = index_.segment(number);
     if (segment.owner != edge_owner && segment.owner != but && segment.b == at) found = segment.owner;
   });
   return found;

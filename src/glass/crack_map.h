@@ -54,7 +54,7 @@ class CrackMap {
     return index_.nearest_in(
         sector, [&](const geometry::Segment& segment) { return segment.owner != edge_owner && accept(segment.owner); });
   }
-  const geometry::Segment& segment(int number) const { return index_.segment(number); }
+  geometry::Segment segment(int number) const { return index_.segment(number); }
 
   bool is_growing(int crack) const { return record(crack).growing; }
   CrackKind kind(int crack) const { return record(crack).kind; }

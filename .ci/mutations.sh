@@ -24,7 +24,7 @@ vertices_of_others  | src/glass/crack_map.cpp         | s/is_taken(joint, met)) 
 edge_met_unchecked  | src/glass/crack_map.cpp         | s/return within(from, joint, segment) \&\& /return / | Crack*:ClosedRegion*:Topology*:Growth.*
 off_the_edge        | src/glass/crack_map.cpp         | s/is_beside(joint, segment) \&\& //                | Crack*:ClosedRegion*:Topology*:Growth.*
 vertex_a_place_off  | src/glass/crack_map.cpp         | s/points\.begin() + place + 1/points.begin() + place/ | Crack*:ClosedRegion*:Topology*:Growth.*
-regions_unseen      | src/glass/crack_map.cpp         | s/closed_region(crack, segment\.owner)}/{}}/       | Crack*:ClosedRegion*:Topology*:Growth.*
+regions_unseen      | src/glass/crack_map.cpp         | s/closed_region(crack, touched)}/{}}/       | Crack*:ClosedRegion*:Topology*:Growth.*
 "
 
 scratch=$(mktemp -d)

@@ -193,7 +193,7 @@ void PaneGrowth::start_radials(ImpactState& state) {
   std::vector<bool> is_large(static_cast<std::size_t>(m), false);
   for (int i = 0; i < n; ++i) is_large[static_cast<std::size_t>((i + offset) * m / n) % static_cast<std::size_t>(m)] = true;
   const CrackMap::Hub hub = map_.add_hub(geometry::to_lattice(state.at_mm));
-  state.tips.reserve(static_cast<std::size_t>(m + 2 * state.counts.circular_count));
+  state.tips.reserve(static_cast<std::size_t>(m) + 2 * static_cast<std::size_t>(state.counts.circular_count));
   state.growing.reserve(state.tips.capacity());
   for (int k = 0; k < m; ++k) {
     const bool large = is_large[static_cast<std::size_t>(k)];

@@ -112,6 +112,7 @@ Setting packed_setting(const Pavement& pavement, const geometry::RegionIndex& ar
 
 Setting bonded_setting(const std::vector<Tile>& tiles) {
   std::vector<Angle> angles;
+  angles.reserve(tiles.size());
   for (const Tile& tile : tiles) angles.push_back(axis_angle(tile.axis));
   return {cells_of(tiles),
           [angles = std::move(angles)](const Piece& piece, const geometry::Polygon&) { return angles[piece.cell]; }};

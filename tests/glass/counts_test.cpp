@@ -53,6 +53,7 @@ double variance_of(const std::vector<double>& values) {
 double poisson_p(const std::vector<double>& sample, double mean) {
   std::vector<double> observed(60, 0.0);
   std::vector<double> expected;
+  expected.reserve(probabilities.size());
   for (const double m : sample) observed[static_cast<std::size_t>(std::min(m, 59.0))] += 1.0;
   double probability = exponential(-mean);
   for (int k = 0; k < 60; ++k) {

@@ -53,7 +53,6 @@ double variance_of(const std::vector<double>& values) {
 double poisson_p(const std::vector<double>& sample, double mean) {
   std::vector<double> observed(60, 0.0);
   std::vector<double> expected;
-  expected.reserve(probabilities.size());
   for (const double m : sample) observed[static_cast<std::size_t>(std::min(m, 59.0))] += 1.0;
   double probability = exponential(-mean);
   for (int k = 0; k < 60; ++k) {
@@ -132,6 +131,7 @@ double chi_square_of(const std::vector<double>& sample, const std::vector<double
   std::vector<double> observed(probabilities.size(), 0.0);
   std::vector<double> expected;
   for (const double m : sample) observed[static_cast<std::size_t>(std::min<double>(m, last_count))] += 1.0;
+  expected.reserve(probabilities.size());
   for (const double p : probabilities) expected.push_back(p * static_cast<double>(sample.size()));
   return support::chi_square_p(observed, expected);
 }

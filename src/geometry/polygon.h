@@ -24,6 +24,11 @@ struct Box {
   vec2 high{0.0, 0.0};
 };
 
+// Whether the boxes have a point in common, were it of their borders.
+inline bool boxes_meet(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
 // Signed: positive for counter-clockwise; mm².
 double area(const Polygon& polygon);
 double area(const Region& region);

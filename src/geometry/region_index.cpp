@@ -23,10 +23,6 @@ Box joined(const Box& a, const Box& b) {
           {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
 }
 
-bool overlap(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
 double square(double x) { return x * x; }
 
 double squared_distance(const Box& box, vec2 p) {
@@ -39,7 +35,7 @@ double squared_length(vec2 v) { return glm::dot(v, v); }
 
 // Separating axes of a segment and a box: x, y, and the segment's normal.
 bool meets(const RegionIndex::Segment& s, const Box& box) {
-  if (!overlap(box_of(s), box)) return false;
+  if (!boxes_meet(box_of(s), box)) return false;
   const vec2 d = s.to - s.from;
   const std::array corners = {box.low, vec2{box.high.x, box.low.y}, box.high, vec2{box.low.x, box.high.y}};
   bool left = false;
@@ -128,7 +124,7 @@ bool RegionIndex::border_meets(const Box& box) const {
   while (depth > 0) {
     const std::uint32_t n = stack[--depth];
     const Node& node = nodes_[n];
-    if (!overlap(node.box, box)) continue;
+    if (!boxes_meet(node.box, box)) continue;
     if (node.count == 0) {
       stack[depth++] = node.first;
       stack[depth++] = n + 1;

@@ -35,7 +35,7 @@ using geometry::LatticePoint;
 using geometry::Sector;
 using geometry::SegmentIndex;
 
-// Tips that F1 looks at. By eye: beyond four nothing changes in a picture; eight is on the safe side.
+// Tips that F1 looks at. By eye: beyond four nothing changes in a picture.
 constexpr std::size_t nearest_tips = 4;
 
 // Radials start straight for as long as neighbours are nearer than this: half the thinnest crack that a picture can show, and

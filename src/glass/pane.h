@@ -17,6 +17,9 @@ enum class Spread { normal, uniform };
 // and d do too, b and c follow from rounding down.
 enum class Rounding { down, nearest, up };
 
+// A pixel of the paper's photographs and its lattice: 640 px for a pane of 300 mm (§3.1.2), and as long on a pane of any size.
+inline constexpr double px_mm = 300.0 / 640.0;
+
 // The growth model of Agui et al. 1992, §4.2. Lengths are in px of the paper's lattice, one px being 300/640 mm on a pane
 // of any size; one unit of time is the paper's dt = 1. Defaults are the paper's where it prints them. The rest was chosen by
 // measuring generated panes against the paper's measured ones (§3.1.3, Table 1), as noted beside each.

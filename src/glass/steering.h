@@ -10,9 +10,6 @@
 
 namespace shatterpave::glass {
 
-// One px of the paper's lattice: 640 px for 300 mm (§3.1).
-inline constexpr double px_mm = 300.0 / 640.0;
-
 // A crack or an edge in the sector.
 struct Wall {
   vec2 towards{0.0, 0.0};    // perpendicular to it, of unit length

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "geometry/region_index.h"
 #include "measure/crossings.h"
 #include "measure/experiment.h"
 #include "measure/tracking.h"
@@ -17,13 +18,6 @@ using glass::Crack;
 using glass::CrackEnd;
 using glass::CrackKind;
 
-double distance_to_side(vec2 point, vec2 from, vec2 to) {
-  const vec2 along = to - from;
-  const double length2 = glm::dot(along, along);
-  const double share = length2 > 0.0 ? std::clamp(glm::dot(point - from, along) / length2, 0.0, 1.0) : 0.0;
-  return glm::length(point - from - share * along);
-}
-
 struct NearestSide {
   vec2 along{1.0, 0.0};
   double distance_mm = std::numeric_limits<double>::infinity();
@@ -34,7 +28,7 @@ NearestSide nearest_side(vec2 point, const geometry::Polygon& outline) {
   NearestSide nearest;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const vec2 to = outline[i + 1 < outline.size() ? i + 1 : 0];
-    const double distance = distance_to_side(point, outline[i], to);
+    const double distance = glm::length(geometry::nearest_point({outline[i], to}, point) - point);
     if (distance < nearest.distance_mm) nearest = {to - outline[i], distance};
   }
   return nearest;

@@ -7,14 +7,12 @@
 
 #include "core/angle.h"
 #include "core/vec.h"
+#include "glass/pane.h"
 
 namespace shatterpave::measure {
 
-// A pixel of the paper's photographs: 640 px for a pane of 300 mm (§3.1.2). The same length for panes of any size.
-inline constexpr double pixel_mm = 300.0 / 640.0;
-
 // a of §3.1.2, by which a pair of tracking points moves.
-inline constexpr double chord_mm = 10.0 * pixel_mm;
+inline constexpr double chord_mm = 10.0 * glass::px_mm;
 
 // The feature points of a line: its first point, then each the first one along the line that is `step_mm` away from the one
 // before as the crow flies. What is left at the end, shorter than a step, has no point.

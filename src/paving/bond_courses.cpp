@@ -21,16 +21,16 @@ using geometry::Box;
 using geometry::Polygon;
 using geometry::Region;
 
-double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
-
 // Guides, straight on beyond their ends until they are out of sight of the area.
 std::vector<std::vector<vec2>> extended_guides(const GuidesDirection& direction, const Box& box) {
   Box all = box;
   for (const auto& guide : direction.guides_mm) {
     for (const vec2& p : guide) all = {glm::min(all.low, p), glm::max(all.high, p)};
   }
-  const double far = 2.0 * length(all.high - all.low);
-  const auto beyond = [&](vec2 from, vec2 end) { return geometry::on_lattice(end + far / length(end - from) * (end - from)); };
+  const double far = 2.0 * glm::length(all.high - all.low);
+  const auto beyond = [&](vec2 from, vec2 end) {
+    return geometry::on_lattice(end + far / glm::length(end - from) * (end - from));
+  };
   std::vector<std::vector<vec2>> guides;
   for (const auto& guide : direction.guides_mm) {
     auto& extended = guides.emplace_back();
@@ -49,7 +49,7 @@ double farthest(const geometry::RegionIndex& area, const std::vector<std::vector
     double nearest = 1e300;
     for (const auto& line : lines) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        nearest = std::min(nearest, length(geometry::nearest_point({line[i], line[i + 1]}, s.from) - s.from));
+        nearest = std::min(nearest, glm::length(geometry::nearest_point({line[i], line[i + 1]}, s.from) - s.from));
       }
     }
     most = std::max(most, nearest);

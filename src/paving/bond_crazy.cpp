@@ -18,8 +18,6 @@ namespace {
 constexpr double least_side = 0.18;
 constexpr int lloyd_steps = 1;
 
-double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
-
 // The point as far from a as from b and c; their mean where they lie on one line.
 vec2 circumcentre(vec2 a, vec2 b, vec2 c) {
   const vec2 p = b - a;
@@ -71,7 +69,7 @@ bool join_near_corners(Diagram& diagram, double least_mm) {
     for (std::size_t k = 0; k < cell.size() && cell.size() > 3; ++k) {
       const std::uint32_t a = cell[k];
       const std::uint32_t b = cell[(k + 1) % cell.size()];
-      if (taken[a] || taken[b] || length(diagram.corners[b] - diagram.corners[a]) >= least_mm) continue;
+      if (taken[a] || taken[b] || glm::length(diagram.corners[b] - diagram.corners[a]) >= least_mm) continue;
       taken[a] = taken[b] = found = true;
       stands[b] = a;
       diagram.corners[a] = 0.5 * (diagram.corners[a] + diagram.corners[b]);
@@ -107,7 +105,7 @@ std::vector<Tile> crazy_tiles(vec2 pitch, const Placement& placement, const geom
       if (diagram.cells[s].empty()) continue;
       // Those at the rim have cells of any size; they stay.
       const vec2 middle = geometry::on_lattice(geometry::centroid(diagram.outline(s)));
-      if (length(middle - seeds[s]) < std::max(pitch.x, pitch.y)) seeds[s] = middle;
+      if (glm::length(middle - seeds[s]) < std::max(pitch.x, pitch.y)) seeds[s] = middle;
     }
     diagram = voronoi(seeds);
   }

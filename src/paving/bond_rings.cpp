@@ -20,8 +20,6 @@ namespace {
 constexpr double most_off = 0.06;
 constexpr double same_place_mm = 0.01;
 
-double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
-
 struct Ring {
   double count = 3.0;  // whole
   double start = 0.0;  // of the first stone, turns
@@ -57,7 +55,7 @@ class Rings {
       : pitch_(pitch), centre_(centre), area_(area) {
     double nearest = area.contains(centre) ? 0.0 : area.nearest(centre).distance_mm;
     double farthest = 0.0;
-    for (const auto& s : area.segments()) farthest = std::max(farthest, length(s.from - centre));
+    for (const auto& s : area.segments()) farthest = std::max(farthest, glm::length(s.from - centre));
     // One more on either side, so that a ring always knows the next ones.
     const double first = std::max(0.0, std::floor(nearest / pitch.y) - 1.0);
     first_ = static_cast<std::size_t>(first);

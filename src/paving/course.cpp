@@ -20,8 +20,6 @@ constexpr double bend_cosine = 0.9986;
 // Mitres are no longer than this, in half depths: sharper corners are no corners of stones.
 constexpr double longest_mitre = 4.0;
 
-double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
-
 // A closed line, measured by length from its first point.
 class Line {
  public:
@@ -30,8 +28,8 @@ class Line {
     for (std::size_t i = 0; i < n; ++i) {
       const vec2 d = points[(i + 1) % n] - points[i];
       at_.push_back(total_);
-      total_ += length(d);
-      normals_.push_back(left_of(d / length(d)));
+      total_ += glm::length(d);
+      normals_.push_back(left_of(d / glm::length(d)));
     }
     at_.push_back(total_);
   }
@@ -130,7 +128,7 @@ Tile tile_between(const Line& line, double from, double to, double half_depth) {
   for (const Line::Cross& c : crosses) tile.outline_mm.push_back(geometry::on_lattice(c.place + half_depth * c.mitre));
   tile.outline_mm = geometry::cleaned(tile.outline_mm);
   const vec2 chord = crosses.front().place - crosses.back().place;
-  if (length(chord) > 0.0) tile.axis = chord / length(chord);
+  if (glm::length(chord) > 0.0) tile.axis = chord / glm::length(chord);
   return tile;
 }
 
@@ -139,7 +137,7 @@ bool side_separates(const Polygon& a, const Polygon& b) {
   constexpr double rounding_mm = 0.003;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const vec2 d = a[(i + 1) % a.size()] - a[i];
-    const double slack = rounding_mm * length(d);
+    const double slack = rounding_mm * glm::length(d);
     const auto left = [&](vec2 p) { return cross(d, p - a[i]); };
     if (std::ranges::all_of(b, [&](vec2 p) { return left(p) <= slack; }) &&
         std::ranges::all_of(a, [&](vec2 p) { return left(p) >= -slack; })) {
@@ -150,9 +148,7 @@ bool side_separates(const Polygon& a, const Polygon& b) {
 }
 
 bool overlap(const Polygon& a, const Polygon& b) {
-  const geometry::Box p = geometry::bounding_box(a);
-  const geometry::Box q = geometry::bounding_box(b);
-  if (p.high.x <= q.low.x || q.high.x <= p.low.x || p.high.y <= q.low.y || q.high.y <= p.low.y) return false;
+  if (!geometry::boxes_meet(geometry::bounding_box(a), geometry::bounding_box(b))) return false;
   if (side_separates(a, b) || side_separates(b, a)) return false;
   // Sides that were rounded for each tile leave slivers in common: 1.4 µm times the length of a stone at the most.
   constexpr double sliver_mm2 = 5e-4;

@@ -36,8 +36,6 @@ constexpr double least_scrap = 0.005;
 // Joined stones grow to this many whole ones at most, if there is another neighbour; by eye.
 constexpr double largest_joined = 1.5;
 
-double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
-
 // Two halves of a region with holes, cut through the middle of its first hole along the shorter way across.
 std::vector<Polygon> without_holes(const Region& region) {
   if (region.holes.empty()) return {region.outline};
@@ -81,7 +79,7 @@ std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const 
 // How much of the segments a and b, which run against each other, lies together.
 double shared_length(vec2 a0, vec2 a1, vec2 b0, vec2 b1) {
   const vec2 d = a1 - a0;
-  const double along = length(d);
+  const double along = glm::length(d);
   const vec2 unit = d / along;
   const double s0 = glm::dot(b0 - a0, unit);
   const double s1 = glm::dot(b1 - a0, unit);
@@ -107,7 +105,7 @@ double shared_length(const Polygon& a, const Polygon& b) {
 // `a` with its corners that lie beside corners of `b` taken there.
 Polygon snapped(Polygon a, const Polygon& b) {
   for (vec2& p : a) {
-    const auto near = std::ranges::find_if(b, [&](vec2 q) { return length(q - p) <= same_line_mm; });
+    const auto near = std::ranges::find_if(b, [&](vec2 q) { return glm::length(q - p) <= same_line_mm; });
     if (near != b.end()) p = *near;
   }
   return a;
@@ -118,7 +116,7 @@ Polygon refined(const Polygon& a, const Polygon& b) {
   Polygon result;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const vec2 d = a[(i + 1) % a.size()] - a[i];
-    const double along = length(d);
+    const double along = glm::length(d);
     result.push_back(a[i]);
     if (along == 0.0) continue;
     std::vector<std::pair<double, vec2>> on_side;
@@ -283,7 +281,7 @@ std::optional<Polygon> convex_face(const Polygon& piece, double inset) {
   std::vector<vec2> direction(n);
   for (std::size_t i = 0; i < n; ++i) {
     const vec2 d = piece[(i + 1) % n] - piece[i];
-    direction[i] = d / length(d);
+    direction[i] = d / glm::length(d);
   }
   Polygon face(n);
   for (std::size_t i = 0; i < n; ++i) {

@@ -25,10 +25,8 @@ constexpr double line_weight = 20.0;
 // Lines that meet in a node at odd angles cancel; below this length of their mean they say nothing.
 constexpr double least_agreement = 0.3;
 
-double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
-
 vec2 unit(vec2 v, vec2 otherwise) {
-  const double l = length(v);
+  const double l = glm::length(v);
   return l > 0.0 ? v / l : otherwise;
 }
 
@@ -59,8 +57,8 @@ class FieldGrid {
   // Adds a line's direction to the nodes beside it. `value` is its direction, n-fold.
   void draw(const Segment& line, vec2 value) {
     const vec2 d = line.to - line.from;
-    const double steps = std::ceil(2.0 * length(d) / spacing_mm_) + 1.0;
-    const double weight = length(d) / (steps * spacing_mm_);
+    const double steps = std::ceil(2.0 * glm::length(d) / spacing_mm_) + 1.0;
+    const double weight = glm::length(d) / (steps * spacing_mm_);
     for (double step = 0.5; step < steps; step += 1.0) splat(line.from + step / steps * d, value, weight);
   }
 
@@ -86,8 +84,8 @@ class FieldGrid {
       }
     }
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-      const bool agrees = length(lines_[i]) > least_agreement * weights_[i] && weights_[i] > 0.0;
-      lines_[i] = agrees ? lines_[i] / length(lines_[i]) : vec2{0.0, 0.0};
+      const bool agrees = glm::length(lines_[i]) > least_agreement * weights_[i] && weights_[i] > 0.0;
+      lines_[i] = agrees ? lines_[i] / glm::length(lines_[i]) : vec2{0.0, 0.0};
       weights_[i] = agrees ? std::min(1.0, weights_[i]) : 0.0;
     }
     for (int sweep = 0; sweep < sweeps; ++sweep) smooth(sweep % 2 == 1);

@@ -23,10 +23,6 @@ constexpr double least_gap = 0.004;
 // Slivers that come of rounding are narrower than this.
 constexpr double sliver_mm = 0.02;
 
-bool boxes_meet(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
 // The pieces of a gap, none much longer than a stone.
 void append_gap(const Region& gap, vec2 pitch, vec2 axis, std::vector<Tile>& tiles) {
   if (geometry::area(gap) < least_gap * pitch.x * pitch.y) return;
@@ -63,7 +59,7 @@ std::vector<Region> rest_of(const Region& region, const std::vector<Polygon>& ta
   for (const Polygon& tile : taken) {
     std::vector<Region> next;
     for (Region& part : rest) {
-      if (boxes_meet(geometry::bounding_box(tile), geometry::bounding_box(part.outline))) {
+      if (geometry::boxes_meet(geometry::bounding_box(tile), geometry::bounding_box(part.outline))) {
         for (Region& left : geometry::difference(part, {tile})) next.push_back(std::move(left));
       } else {
         next.push_back(std::move(part));

@@ -48,7 +48,6 @@ constexpr double mirrored = 0.8;
 // A border runs along the rows if the sine of the angle between them is less: 12°.
 constexpr double along_sine = 0.2079;
 
-double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
 double largest(vec2 q) { return std::max(std::abs(q.x), std::abs(q.y)); }
 
 // The law of the bubble mesh; positive repels.
@@ -65,7 +64,7 @@ vec2 force_at(vec2 q) {
   constexpr double half_diagonal = 0.70710678118654752;
   for (const vec2 corner : {vec2{0.5, 0.5}, vec2{-0.5, 0.5}, vec2{-0.5, -0.5}, vec2{0.5, -0.5}}) {
     const vec2 d = q - corner;
-    const double distance = length(d);
+    const double distance = glm::length(d);
     if (distance > 0.0) force += law(distance / half_diagonal) / distance * d;
   }
   return force;
@@ -164,10 +163,10 @@ class Packing {
     double best = 1e300;
     for (const std::size_t s : near) {
       const auto& segment = area_.segments()[s];
-      const vec2 tangent = (segment.to - segment.from) / length(segment.to - segment.from);
+      const vec2 tangent = (segment.to - segment.from) / glm::length(segment.to - segment.from);
       const double sine = along ? cross(particles_[i].axis, tangent) : glm::dot(particles_[i].axis, tangent);
       const vec2 point = geometry::nearest_point(segment, particles_[i].at);
-      const double distance = length(point - particles_[i].at);
+      const double distance = glm::length(point - particles_[i].at);
       if (std::abs(sine) >= along_sine || distance >= best) continue;
       best = distance;
       walls_[i][along ? 0 : 1] = {point, left_of(tangent), along};

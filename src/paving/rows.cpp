@@ -33,8 +33,6 @@ constexpr double held_pitches = 1.0;
 // A border runs along the rows if the sine of the angle between them is less: 12°.
 constexpr double along_sine = 0.2079;
 
-double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
-
 // The nearest whole number, halves to even, for |x| < 2^51: adding 1.5 · 2^52 leaves no room for a fraction. It is where most
 // of the time would go if it were a call.
 double rounded(double x) {
@@ -127,7 +125,7 @@ class PositionField {
     if (!area_.border_within(sample.at, reach)) return std::nullopt;
     const auto nearest = area_.nearest(sample.at);
     const auto& segment = area_.segments()[nearest.segment];
-    const vec2 tangent = (segment.to - segment.from) / length(segment.to - segment.from);
+    const vec2 tangent = (segment.to - segment.from) / glm::length(segment.to - segment.from);
     const bool along = std::abs(cross(sample.axis, tangent)) < along_sine;
     const bool across = std::abs(glm::dot(sample.axis, tangent)) < along_sine;
     if (!along && !across) return std::nullopt;

@@ -40,8 +40,6 @@ constexpr double flat_cosine = -0.64;
 
 constexpr std::uint32_t none = UINT32_MAX;
 
-double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
-
 // What a corner wishes for: a neighbour corner at `offset`, where `length_weight` may be 0.
 struct Wish {
   std::uint32_t neighbour = 0;
@@ -123,7 +121,7 @@ class Settling {
       const std::uint32_t after = side_after(cell, side);
       const vec2 a = cells_.corners[before] - cells_.corners[corner];
       const vec2 b = cells_.corners[after] - cells_.corners[corner];
-      if (glm::dot(a, b) > flat_cosine * length(a) * length(b)) return;
+      if (glm::dot(a, b) > flat_cosine * glm::length(a) * glm::length(b)) return;
       if (tee_at_[before] != none || tee_at_[after] != none) return;
       tee_at_[corner] = static_cast<std::uint32_t>(tees_.size());
       tees_.push_back({corner, cell, before, after});
@@ -202,9 +200,9 @@ class Settling {
     Wall wall;
     for (const std::size_t s : near) {
       const auto& segment = area_.segments()[s];
-      const vec2 tangent = (segment.to - segment.from) / length(segment.to - segment.from);
+      const vec2 tangent = (segment.to - segment.from) / glm::length(segment.to - segment.from);
       const vec2 point = geometry::nearest_point(segment, cells_.corners[corner]);
-      const double distance = length(point - cells_.corners[corner]);
+      const double distance = glm::length(point - cells_.corners[corner]);
       if (std::abs(cross(axis, tangent)) >= along_sine || distance >= best) continue;
       best = distance;
       wall = {corner, point, left_of(tangent)};
@@ -303,7 +301,7 @@ class Settling {
       const vec2 a = cells_.corners[tee.before];
       const vec2 d = cells_.corners[tee.after] - a;
       constexpr double rounding_mm = 0.002;
-      if (std::abs(cross(cells_.corners[tee.corner] - a, d)) > rounding_mm * length(d)) continue;
+      if (std::abs(cross(cells_.corners[tee.corner] - a, d)) > rounding_mm * glm::length(d)) continue;
       for (std::size_t side = cells_.first[tee.cell]; side < cells_.first[tee.cell + 1]; ++side) {
         if (cells_.corner[side] == tee.corner) left_out[side] = true;
       }

@@ -14,8 +14,6 @@ namespace {
 // A corner rounded to the lattice lies this near to the side that it stands on: 0.71 µm, the same for the ends of the side.
 constexpr double on_side_mm = 0.002;
 
-double length(vec2 v) { return std::sqrt(glm::dot(v, v)); }
-
 // The corners of all tiles on the lattice, each once.
 std::vector<geometry::LatticePoint> distinct_corners(const std::vector<Tile>& tiles) {
   std::vector<geometry::LatticePoint> corners;
@@ -31,7 +29,7 @@ double longest_side(const std::vector<Tile>& tiles) {
   double longest = 0.0;
   for (const Tile& tile : tiles) {
     for (std::size_t i = 0; i < tile.outline_mm.size(); ++i) {
-      longest = std::max(longest, length(tile.outline_mm[(i + 1) % tile.outline_mm.size()] - tile.outline_mm[i]));
+      longest = std::max(longest, glm::length(tile.outline_mm[(i + 1) % tile.outline_mm.size()] - tile.outline_mm[i]));
     }
   }
   return longest;
@@ -56,7 +54,7 @@ class Corners {
     found_.clear();
     const vec2 from = at(a);
     const vec2 d = at(b) - from;
-    const double along = length(d);
+    const double along = glm::length(d);
     near_.for_each_near(from + 0.5 * d, [&](std::uint32_t c) {
       const vec2 q = at(c) - from;
       const double t = glm::dot(q, d) / along;

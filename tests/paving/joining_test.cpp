@@ -1,0 +1,85 @@
+#include "paving/joining.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geometry/hull.h"
+#include "paving/contact.h"
+#include "paving/laying.h"
+#include "paving/layout_quality.h"
+#include "paving/paved_areas.h"
+
+namespace shatterpave::paving {
+namespace {
+
+using geometry::Polygon;
+
+TEST(Contact, IsWhereSidesRunAgainstEachOther) {
+  const Polygon low{{0, 0}, {10, 0}, {10, 5}, {0, 5}};
+  const Polygon high{{4, 5}, {14, 5}, {14, 9}, {4, 9}};
+  const auto found = contacts(low, high);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found.front().side, 2U);
+  EXPECT_EQ(found.front().from_mm, 0.0);
+  EXPECT_EQ(found.front().to_mm, 6.0);
+  EXPECT_EQ(shared_length(low, high), 6.0);
+  EXPECT_EQ(shared_length(low, Polygon{{0, 6}, {10, 6}, {10, 9}, {0, 9}}), 0.0);
+}
+
+TEST(Contact, JoinsWhatWasRoundedForEach) {
+  const Polygon low{{0, 0}, {10, 0}, {10, 5}, {0, 5}};
+  const Polygon high{{0, 5.001}, {10, 5}, {10, 9}, {0, 9}};
+  const auto together = joined(low, high);
+  ASSERT_TRUE(together.has_value());
+  EXPECT_EQ(together->size(), 4U);
+  EXPECT_NEAR(geometry::area(*together), 90.0, 0.01);
+  EXPECT_FALSE(joined(low, Polygon{{0, 6}, {10, 6}, {10, 9}, {0, 9}}).has_value());
+}
+
+Pavement rows(Bond bond, double height_mm) {
+  Pavement paved = pavement({{{0, 0}, {2000, 0}, {2000, height_mm}, {0, height_mm}}, {}}, 100, 8, ConstantDirection{});
+  paved.stone_mm = {192, 92};
+  paved.bonding.bond = bond;
+  return paved;
+}
+
+// A strip of 10 mm is left above the last row, which is half a stone off the one that would be next.
+TEST(Joining, SharesTheLastStripOutAmongTheRowBelow) {
+  for (const Bond bond : {Bond::running, Bond::stack}) {
+    const Pavement paved = rows(bond, 410);
+    const StoneLayout layout = laid_stones(paved, 1);
+    EXPECT_EQ(faults(paved, layout).total(), 0U);
+    EXPECT_GE(quality(paved, layout).coverage, 0.999);
+    std::size_t grown = 0;
+    for (const Stone& stone : layout.stones) {
+      EXPECT_EQ(stone.outline_mm.size(), 4U) << "stone " << stone.id;
+      const geometry::Box box = geometry::bounding_box(stone.outline_mm);
+      if (box.high.y > 400) {
+        ++grown;
+        EXPECT_NEAR(box.high.y - box.low.y, 102.0, 0.1);
+      }
+    }
+    EXPECT_EQ(grown, bond == Bond::stack ? 10U : 11U);
+  }
+}
+
+// Whatever is cut: stones of rows stay convex, since no joint of theirs needs to be bent.
+TEST(Joining, LeavesStonesOfRowsConvexOnSlantedBorders) {
+  for (const double degrees : {3.0, 11.0, 30.0, 52.0}) {
+    Pavement paved = rows(Bond::running, 1234);
+    paved.direction = ConstantDirection{Angle::degrees(degrees)};
+    const StoneLayout layout = laid_stones(paved, 1);
+    EXPECT_EQ(faults(paved, layout).total(), 0U);
+    double hollow = 0.0;
+    double all = 0.0;
+    for (const Stone& stone : layout.stones) {
+      hollow += geometry::area(geometry::convex_hull(stone.outline_mm)) - geometry::area(stone.outline_mm);
+      all += geometry::area(stone.outline_mm);
+    }
+    EXPECT_LT(hollow, 0.002 * all) << degrees;
+  }
+}
+
+}  // namespace
+}  // namespace shatterpave::paving

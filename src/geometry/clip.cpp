@@ -81,6 +81,15 @@ std::vector<Region> difference(const Region& subject, const std::vector<Polygon>
   return combined(ClipperLib::ctDifference, paths_of(subject), clip);
 }
 
+std::vector<Region> difference(const Region& subject, const std::vector<Region>& removed) {
+  Paths clip;
+  for (const Region& region : removed) {
+    const Paths paths = paths_of(region);
+    clip.insert(clip.end(), paths.begin(), paths.end());
+  }
+  return combined(ClipperLib::ctDifference, paths_of(subject), clip);
+}
+
 std::vector<Region> united(const std::vector<Polygon>& polygons) {
   Paths subject;
   for (const Polygon& polygon : polygons) subject.push_back(wound_path_of(polygon, true));

@@ -14,6 +14,7 @@ namespace shatterpave::geometry {
 
 std::vector<Region> intersection(const Polygon& subject, const Region& clip);
 std::vector<Region> difference(const Region& subject, const std::vector<Polygon>& removed);
+std::vector<Region> difference(const Region& subject, const std::vector<Region>& removed);
 std::vector<Region> united(const std::vector<Polygon>& polygons);
 
 // The points of `region` farther than `-distance_mm` from its border (distance < 0), or those of it and nearer than

@@ -92,6 +92,47 @@ TextPosition text_position(std::string_view text, std::size_t byte) {
   return {static_cast<int>(std::ranges::count(before, '\n')) + 1, static_cast<int>(characters) + 1};
 }
 
+namespace {
+
+constexpr std::size_t index_step = 1024;  // bytes between known positions
+
+// The position of the byte at `to` from that of the byte at `from`.
+TextPosition moved_on(TextPosition position, std::string_view text, std::size_t from, std::size_t to) {
+  for (std::size_t i = from; i < to; ++i) {
+    if (text[i] == '\n') {
+      ++position.line;
+      position.column = 1;
+    } else if (!is_continuation(text[i])) {
+      ++position.column;
+    }
+  }
+  return position;
+}
+
+}  // namespace
+
+TextIndex::TextIndex(std::string_view text) : text_(text), at_steps_{{}} {
+  for (std::size_t at = index_step; at <= text.size(); at += index_step) {
+    at_steps_.push_back(moved_on(at_steps_.back(), text, at - index_step, at));
+  }
+}
+
+TextPosition TextIndex::position(std::size_t byte) const {
+  const std::size_t at = std::min(byte, text_.size());
+  return moved_on(at_steps_[at / index_step], text_, at / index_step * index_step, at);
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+  constexpr std::string_view spaces = " \t\n\r\f";
+  std::vector<std::string> words;
+  for (std::size_t at = text.find_first_not_of(spaces); at < text.size(); at = text.find_first_not_of(spaces, at)) {
+    const std::size_t end = std::min(text.find_first_of(spaces, at), text.size());
+    words.emplace_back(text.substr(at, end - at));
+    at = end;
+  }
+  return words;
+}
+
 std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   std::size_t at = 0;

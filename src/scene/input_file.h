@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/error.h"
 
@@ -27,6 +28,20 @@ struct TextPosition {
   int column = 1;
 };
 TextPosition text_position(std::string_view text, std::size_t byte);
+
+// The same for many bytes of one text, which must outlive this: each answer reads a small part of it.
+class TextIndex {
+ public:
+  explicit TextIndex(std::string_view text);
+  TextPosition position(std::size_t byte) const;
+
+ private:
+  std::string_view text_;
+  std::vector<TextPosition> at_steps_;
+};
+
+// The words of a text, which spaces, tabs and line breaks part.
+std::vector<std::string> words_of(std::string_view text);
 
 // `text` for a message: in quotes, at most 40 characters, without control characters.
 std::string in_quotes(std::string_view text);

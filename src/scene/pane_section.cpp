@@ -163,18 +163,22 @@ std::vector<glass::Impact> impacts_of(const TomlTable& table, const glass::Pane&
   return {middle};
 }
 
-geometry::Polygon pane_outline(const TomlTable& table, bool has_preset) {
-  geometry::Region region = outline_of(table, has_preset ? std::optional(vec2{300.0, 300.0}) : std::nullopt);
+geometry::Polygon pane_outline(const TomlTable& table, Plans& plans, bool has_preset) {
+  std::vector<geometry::Region> regions =
+      outlines_of(table, plans, has_preset ? std::optional(vec2{300.0, 300.0}) : std::nullopt);
+  if (regions.size() > 1) refuse(table.place("outline_file"), "one outline", fmt::format("{}", regions.size()));
+  geometry::Region& region = regions.front();
   if (!region.holes.empty()) refuse(table.place("outline_file"), "an outline without holes", "one with holes");
   return std::move(region.outline);
 }
 
-glass::Pane pane_of(const TomlTable& table) {
+glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
   glass::Pane pane;
   pane.name = name_of(table);
+  names.add(pane.name, table.path(), table.place("name"));
   const glass::Preset* preset = preset_of(table);
   if (preset != nullptr) pane.growth = preset->growth;
-  pane.outline_mm = pane_outline(table, preset != nullptr);
+  pane.outline_mm = pane_outline(table, plans, preset != nullptr);
   table.read("thickness_mm", {0.1, 1000.0}, pane.thickness_mm);
   pane.impacts = impacts_of(table, pane, preset != nullptr);
   if (preset != nullptr) {
@@ -186,12 +190,12 @@ glass::Pane pane_of(const TomlTable& table) {
 
 }  // namespace
 
-std::vector<glass::Pane> panes_of(const TomlTable& root) {
+std::vector<glass::Pane> panes_of(const TomlTable& root, Plans& plans, Names& names) {
   std::vector<glass::Pane> panes;
   for (const TomlTable& table : root.tables("pane", most_panes,
                                             {"name", "size_mm", "outline_mm", "outline_file", "outline_feature",
-                                             "outline_units", "thickness_mm", "preset", "impact", "growth"})) {
-    panes.push_back(pane_of(table));
+                                             "outline_class", "outline_units", "thickness_mm", "preset", "impact", "growth"})) {
+    panes.push_back(pane_of(table, plans, names));
   }
   return panes;
 }

@@ -17,33 +17,33 @@ constexpr std::size_t most_guides = 10'000;
 // Stones of one pavement, by area; a million takes about a minute and 1 GB.
 constexpr double most_stones = 4e6;
 
+void limit_guides(std::size_t count, const Place& place) {
+  if (count > most_guides) refuse(place, fmt::format("at most {} polylines", most_guides), fmt::format("{}", count));
+}
+
 paving::GuidesDirection guides_of(const TomlTable& table) {
   paving::GuidesDirection direction;
   const std::vector<PlacedPoints> lists = table.point_lists("guides_mm", coordinate_range);
   if (lists.empty()) refuse(table.place("guides_mm"), "one or more polylines", "none");
-  if (lists.size() > most_guides) {
-    refuse(table.place("guides_mm"), fmt::format("at most {} polylines", most_guides), fmt::format("{}", lists.size()));
-  }
-  for (const PlacedPoints& list : lists) {
-    std::vector<vec2> guide;
-    for (const vec2& point : list.points) {
-      const vec2 p = geometry::on_lattice(point);
-      if (guide.empty() || guide.back() != p) guide.push_back(p);
-    }
-    if (guide.size() < 2) refuse(list.place, "2 or more distinct points", fmt::format("{}", guide.size()));
-    direction.guides_mm.push_back(std::move(guide));
-  }
+  limit_guides(lists.size(), table.place("guides_mm"));
+  for (const PlacedPoints& list : lists) direction.guides_mm.push_back(line_of({list.points, list.place}));
   return direction;
 }
 
 // Keys of kinds other than the chosen one are checked like all others, but have no effect: so kinds can be tried in turn.
-paving::Direction direction_of(const TomlTable& pavement) {
-  const auto table = pavement.table("direction", {"kind", "angle_deg", "centre_mm", "guides_mm"});
+paving::Direction direction_of(const TomlTable& pavement, Plans& plans) {
+  const auto table = pavement.table(
+      "direction", {"kind", "angle_deg", "centre_mm", "guides_mm", "guides_file", "guides_feature", "guides_class"});
   if (!table) return paving::ConstantDirection{};
   const Angle angle = Angle::degrees(table->number("angle_deg", {-360.0, 360.0}).value_or(0.0));
   const vec2 centre = geometry::on_lattice(table->point("centre_mm", coordinate_range).value_or(vec2{0.0, 0.0}));
   const std::size_t kind = table->choice("kind", {"constant", "boundary", "radial", "guides"}).value_or(0);
-  if (kind == 3 || table->has("guides_mm")) {
+  if (has_guides_of_plan(*table)) {
+    if (table->has("guides_mm")) refuse(table->place("guides_mm"), "guides of one kind", "guides_mm beside those of a plan");
+    paving::GuidesDirection guides{guides_of_plan(*table, pavement, plans)};
+    limit_guides(guides.guides_mm.size(), table->place());
+    if (kind == 3) return guides;
+  } else if (kind == 3 || table->has("guides_mm")) {
     paving::GuidesDirection guides = guides_of(*table);
     if (kind == 3) return guides;
   }
@@ -110,23 +110,23 @@ void read_relief(const TomlTable& pavement, paving::Relief& relief) {
   table->read("hurst", {0.0, 1.0}, relief.hurst);
 }
 
-void limit_stones(const TomlTable& table, const paving::Pavement& pavement) {
+void limit_stones(const TomlTable& table, const paving::Pavement& pavement, const std::vector<geometry::Region>& areas) {
   const vec2 pitch = pavement.stone_mm + vec2(pavement.joint_mm);
-  const double count = geometry::area(pavement.area) / (pitch.x * pitch.y);
+  double count = 0.0;
+  for (const geometry::Region& area : areas) count += geometry::area(area) / (pitch.x * pitch.y);
   if (count <= most_stones) return;
   refuse(table.place("stone_mm"), fmt::format("stones so large that at most {} are needed", most_stones),
          fmt::format("about {:.0f}", count));
 }
 
-paving::Pavement pavement_of(const TomlTable& table) {
+// All that a table says of a pavement but its area.
+paving::Pavement pavement_of(const TomlTable& table, Plans& plans) {
   paving::Pavement pavement;
   pavement.name = name_of(table);
-  pavement.area = outline_of(table);
   read_stone_preset(table, pavement);
   pavement.stone_mm = table.point("stone_mm", {1.0, 100'000.0}).value_or(pavement.stone_mm);
   table.read("joint_mm", {0.0, 1000.0}, pavement.joint_mm);
-  limit_stones(table, pavement);
-  pavement.direction = direction_of(table);
+  pavement.direction = direction_of(table, plans);
   pavement.bonding = bonding_of(table);
   pavement.border = border_of(table);
   read_surface(table, pavement.surface);
@@ -135,17 +135,55 @@ paving::Pavement pavement_of(const TomlTable& table) {
   return pavement;
 }
 
+// A pavement for each of the areas of a table.
+void append_pavements(const TomlTable& table, Plans& plans, Names& names, std::vector<paving::Pavement>& pavements) {
+  name_of(table);
+  std::vector<geometry::Region> areas = without_holes_of_plan(table, plans, outlines_of(table, plans));
+  if (pavements.size() + areas.size() > most_pavements) {
+    refuse(table.place(), fmt::format("at most {} areas in all", most_pavements), "more");
+  }
+  paving::Pavement pavement = pavement_of(table, plans);
+  limit_stones(table, pavement, areas);
+  const std::string name = pavement.name;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    if (i > 0) pavement.name = fmt::format("{}_{}", name, i + 1);
+    names.add(pavement.name, table.path(), table.place("name"));
+    pavement.area = std::move(areas[i]);
+    pavements.push_back(pavement);
+  }
+}
+
 }  // namespace
 
-std::vector<paving::Pavement> pavements_of(const TomlTable& root) {
+std::vector<paving::Pavement> pavements_of(const TomlTable& root, Plans& plans, Names& names) {
   std::vector<paving::Pavement> pavements;
-  for (const TomlTable& table :
-       root.tables("pavement", most_pavements,
-                   {"name",        "size_mm",       "outline_mm",   "outline_file",  "outline_feature", "outline_units",
-                    "holes_mm",    "stone_preset",  "stone_mm",     "joint_mm",      "direction",       "bond",
-                    "bond_offset", "bond_turn_deg", "bond_span_mm", "border_course", "border_stone_mm", "surface",
-                    "variation",   "relief"})) {
-    pavements.push_back(pavement_of(table));
+  for (const TomlTable& table : root.tables("pavement", most_pavements, {"name",
+                                                                         "size_mm",
+                                                                         "outline_mm",
+                                                                         "outline_file",
+                                                                         "outline_feature",
+                                                                         "outline_class",
+                                                                         "outline_width_mm",
+                                                                         "outline_units",
+                                                                         "holes_mm",
+                                                                         "holes_file",
+                                                                         "holes_feature",
+                                                                         "holes_class",
+                                                                         "holes_width_mm",
+                                                                         "stone_preset",
+                                                                         "stone_mm",
+                                                                         "joint_mm",
+                                                                         "direction",
+                                                                         "bond",
+                                                                         "bond_offset",
+                                                                         "bond_turn_deg",
+                                                                         "bond_span_mm",
+                                                                         "border_course",
+                                                                         "border_stone_mm",
+                                                                         "surface",
+                                                                         "variation",
+                                                                         "relief"})) {
+    append_pavements(table, plans, names, pavements);
   }
   return pavements;
 }

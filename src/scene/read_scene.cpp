@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 #include "core/embedded.h"
 #include "scene/apply_override.h"
@@ -60,23 +59,6 @@ std::string scene_name(const std::filesystem::path& file) {
   return name;
 }
 
-// Names are unique in a scene even where '-' and '_' are taken for the same, and capital and small letters, since they
-// become names of files and of identifiers.
-void require_unique_names(const TomlTable& root, const Scene& scene) {
-  std::map<std::string, std::string> seen;
-  const auto add = [&](std::string_view kind, std::size_t index, std::string name) {
-    const Place place = root.place_of_name(kind, index);
-    for (char& c : name) {
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-      if (c == '-') c = '_';
-    }
-    const auto [at, is_new] = seen.emplace(name, fmt::format("{}[{}]", kind, index));
-    if (!is_new) refuse(place, "a name of its own", fmt::format("that of {}", at->second));
-  };
-  for (std::size_t i = 0; i < scene.panes.size(); ++i) add("pane", i, scene.panes[i].name);
-  for (std::size_t i = 0; i < scene.pavements.size(); ++i) add("pavement", i, scene.pavements[i].name);
-}
-
 // Settings are the templates whose names end so.
 constexpr std::string_view setting_ending = "_still.pov";
 
@@ -98,17 +80,18 @@ Still still_of(const TomlTable& root) {
 
 Scene scene_of_table(const toml::table& table, const std::filesystem::path& file) {
   const std::string file_name = file.string();
-  const TomlTable root(table, file_name, "", {"seed", "pane", "pavement", "still"});
+  const TomlTable root(table, file_name, "", {"seed", "plan", "pane", "pavement", "still"});
   Scene scene;
   scene.name = scene_name(file);
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
   scene.seed = static_cast<std::uint64_t>(root.whole_number("seed", 0, most).value_or(1));
-  scene.panes = panes_of(root);
-  scene.pavements = pavements_of(root);
+  Plans plans(root);
+  Names names;
+  scene.panes = panes_of(root, plans, names);
+  scene.pavements = pavements_of(root, plans, names);
   if (scene.panes.empty() && scene.pavements.empty()) {
     throw InputError(Place{file_name, 0, 0, ""}, "expected a [[pane]] or a [[pavement]], got neither");
   }
-  require_unique_names(root, scene);
   scene.still = still_of(root);
   return scene;
 }

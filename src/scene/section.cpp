@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "scene/input_file.h"
 #include "scene/outline.h"
-#include "scene/outline_file.h"
 
 namespace shatterpave::scene {
 
@@ -24,7 +22,7 @@ std::string_view outline_key(const TomlTable& table) {
     if (!found.empty()) refuse(table.place(key), "one outline", fmt::format("{} beside {}", key, found));
     found = key;
   }
-  for (const std::string_view key : {"outline_feature", "outline_units"}) {
+  for (const std::string_view key : {"outline_feature", "outline_class", "outline_width_mm", "outline_units"}) {
     if (table.has(key) && found != "outline_file") refuse(table.place(key), "outline_file beside it", "none");
   }
   if (table.has("holes_mm") && found == "outline_file") {
@@ -44,20 +42,6 @@ std::vector<Ring> holes_of(const TomlTable& table) {
   return holes;
 }
 
-geometry::Region region_of_file(const TomlTable& table) {
-  OutlineChoice choice;
-  choice.file_place = table.place("outline_file");
-  choice.choice_place = table.place("outline_feature");
-  choice.units_place = table.place("outline_units");
-  if (const auto index = table.index_or_text("outline_feature", choice.id)) choice.index = *index;
-  if (const auto units = table.choice("outline_units", {"degrees", "metres", "millimetres"})) {
-    choice.units = static_cast<OutlineUnits>(*units);
-  }
-  const std::string name = *table.text("outline_file");
-  if (name.empty() || name.find('\0') != std::string::npos) refuse(choice.file_place, "the name of a file", in_quotes(name));
-  return outline_of_file(std::filesystem::path(table.file()).parent_path() / name, choice);
-}
-
 }  // namespace
 
 std::string name_of(const TomlTable& table) {
@@ -71,16 +55,25 @@ std::string name_of(const TomlTable& table) {
   return *name;
 }
 
-geometry::Region outline_of(const TomlTable& table, std::optional<vec2> default_size_mm) {
+void Names::add(std::string name, const std::string& owner, const Place& place) {
+  for (char& c : name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (c == '-') c = '_';
+  }
+  const auto [at, is_new] = owners_.emplace(std::move(name), owner);
+  if (!is_new) refuse(place, "a name of its own", fmt::format("that of {}", at->second));
+}
+
+std::vector<geometry::Region> outlines_of(const TomlTable& table, Plans& plans, std::optional<vec2> default_size_mm) {
   const std::string_view key = outline_key(table);
-  if (key == "outline_file") return region_of_file(table);
+  if (key == "outline_file") return outlines_of_plan(table, plans);
   if (key == "outline_mm") {
     PlacedPoints outline = *table.points("outline_mm", coordinate_range);
-    return region_of({std::move(outline.points), std::move(outline.place)}, holes_of(table));
+    return {region_of({std::move(outline.points), std::move(outline.place)}, holes_of(table))};
   }
   const auto size = table.point("size_mm", {0.0, geometry::largest_coordinate_mm, true});
   if (!size && !default_size_mm) refuse(table.place("outline_mm"), "size_mm, outline_mm or outline_file", "none of them");
-  return region_of(rectangle(size.value_or(default_size_mm.value_or(vec2{})), table.place("size_mm")), holes_of(table));
+  return {region_of(rectangle(size.value_or(default_size_mm.value_or(vec2{})), table.place("size_mm")), holes_of(table))};
 }
 
 }  // namespace shatterpave::scene

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <pugixml.hpp>
 
+#include "geometry/lattice.h"
 #include "scene/input_file.h"
-#include "scene/outline.h"
-#include "scene/outline_file.h"
-#include "scene/shape_choice.h"
+#include "scene/plan.h"
 #include "scene/svg_path.h"
 
 namespace shatterpave::scene {
@@ -19,20 +19,19 @@ namespace {
 
 constexpr int deepest_groups = 100;
 constexpr std::size_t most_shapes = 100'000;
+// Elements that are visited: `use` of groups with `use` in them could be any number.
+constexpr std::size_t most_elements = 1'000'000;
 constexpr double mm_per_px = 25.4 / 96.0;
-
-enum class FillRule { nonzero, evenodd };
 
 // What an element hands on to those inside it.
 struct Inherited {
   Affine to_mm;
+  vec2 viewport{0.0, 0.0};  // in user units, for percentages
   FillRule fill_rule = FillRule::nonzero;
-};
-
-struct ClosedShape {
-  pugi::xml_node node;
-  FillRule fill_rule = FillRule::nonzero;
-  std::vector<geometry::Polygon> rings;  // mm
+  bool visible = true;
+  bool copied = false;  // by `use`: ids are those of the original
+  std::optional<std::size_t> group;
+  int depth = 0;
 };
 
 std::string_view local_name(const pugi::xml_node& node) {
@@ -41,30 +40,58 @@ std::string_view local_name(const pugi::xml_node& node) {
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-// An attribute, or the property of the same name in `style`, which wins.
-std::string_view property(const pugi::xml_node& node, const char* name) {
-  const std::string_view style = node.attribute("style").value();
-  const std::string_view wanted = name;
-  for (std::size_t at = 0; at < style.size();) {
-    const std::size_t end = std::min(style.find(';', at), style.size());
-    std::string_view declaration = style.substr(at, end - at);
-    at = end + 1;
-    const auto trim = [](std::string_view text) {
-      while (!text.empty() && (text.front() == ' ' || text.front() == '\n')) text.remove_prefix(1);
-      while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.remove_suffix(1);
-      return text;
-    };
-    const std::size_t colon = declaration.find(':');
-    if (colon != std::string_view::npos && trim(declaration.substr(0, colon)) == wanted)
-      return trim(declaration.substr(colon + 1));
-  }
-  return node.attribute(name).value();
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view spaces = " \t\n\r\f";
+  const std::size_t first = std::min(text.find_first_not_of(spaces), text.size());
+  return text.substr(first, text.find_last_not_of(spaces) + 1 - first);
 }
 
-double length_or(const pugi::xml_node& node, const char* name, double otherwise) {
-  const pugi::xml_attribute attribute = node.attribute(name);
-  return attribute ? px_of(attribute.value()) : otherwise;
+// A property of `style`; empty if it is not there.
+std::string_view style_property(const pugi::xml_node& node, std::string_view wanted) {
+  const std::string_view style = node.attribute("style").value();
+  for (std::size_t at = 0; at < style.size();) {
+    const std::size_t end = std::min(style.find(';', at), style.size());
+    const std::string_view declaration = style.substr(at, end - at);
+    at = end + 1;
+    const std::size_t colon = declaration.find(':');
+    if (colon != std::string_view::npos && trimmed(declaration.substr(0, colon)) == wanted)
+      return trimmed(declaration.substr(colon + 1));
+  }
+  return {};
 }
+
+// An attribute, or the property of the same name in `style`, which wins.
+std::string_view property(const pugi::xml_node& node, const char* name) {
+  const std::string_view style = style_property(node, name);
+  return style.empty() ? trimmed(node.attribute(name).value()) : style;
+}
+
+// An element's attributes as lengths in user units; percentages are of the viewport (SVG 1.1, 7.10).
+class Lengths {
+ public:
+  Lengths(const pugi::xml_node& node, vec2 viewport) : node_(node), viewport_(viewport) {}
+
+  double x(const char* name, double otherwise = 0.0) const { return length(name, viewport_.x, otherwise); }
+  double y(const char* name, double otherwise = 0.0) const { return length(name, viewport_.y, otherwise); }
+  double along(const char* name) const { return length(name, glm::length(viewport_) / std::sqrt(2.0), 0.0); }
+  // A radius that may be "auto", which is as none.
+  std::optional<double> radius(const char* name, double whole) const {
+    const std::string_view text = property(node_, name);
+    if (text.empty() || text == "auto") return std::nullopt;
+    return length(name, whole, 0.0);
+  }
+  vec2 viewport() const { return viewport_; }
+
+ private:
+  double length(const char* name, double whole, double otherwise) const {
+    const std::string_view text = property(node_, name);
+    if (text.empty() || text == "auto") return otherwise;
+    return text.ends_with('%') ? px_of(text.substr(0, text.size() - 1)) / 100.0 * whole : px_of(text);
+  }
+
+  const pugi::xml_node& node_;
+  vec2 viewport_;
+};
 
 void outline_ellipse(vec2 centre, vec2 radii, Outliner& outliner) {
   outliner.move_to(centre + vec2{radii.x, 0.0});
@@ -74,13 +101,14 @@ void outline_ellipse(vec2 centre, vec2 radii, Outliner& outliner) {
 }
 
 // SVG 1.1, 9.2: a missing radius is as the other one, and neither is more than half the side.
-void outline_rect(const pugi::xml_node& node, Outliner& outliner) {
-  const vec2 low{length_or(node, "x", 0.0), length_or(node, "y", 0.0)};
-  const vec2 size{length_or(node, "width", 0.0), length_or(node, "height", 0.0)};
+void outline_rect(const Lengths& lengths, Outliner& outliner) {
+  const vec2 low{lengths.x("x"), lengths.y("y")};
+  const vec2 size{lengths.x("width"), lengths.y("height")};
   if (size.x <= 0.0 || size.y <= 0.0) return;
-  const double rx = length_or(node, "rx", length_or(node, "ry", 0.0));
-  const double ry = length_or(node, "ry", rx);
-  const vec2 r{std::clamp(rx, 0.0, 0.5 * size.x), std::clamp(ry, 0.0, 0.5 * size.y)};
+  const auto rx = lengths.radius("rx", lengths.viewport().x);
+  const auto ry = lengths.radius("ry", lengths.viewport().y);
+  const vec2 r{std::clamp(rx ? *rx : ry.value_or(0.0), 0.0, 0.5 * size.x),
+               std::clamp(ry ? *ry : rx.value_or(0.0), 0.0, 0.5 * size.y)};
   const vec2 high = low + size;
   outliner.move_to({low.x + r.x, low.y});
   outliner.line_to({high.x - r.x, low.y});
@@ -106,93 +134,53 @@ void outline_points(const pugi::xml_node& node, bool closed, Outliner& outliner)
   if (closed) outliner.close();
 }
 
-void outline_element(const pugi::xml_node& node, std::string_view name, Outliner& outliner) {
+void outline_element(const pugi::xml_node& node, std::string_view name, const Lengths& lengths, Outliner& outliner) {
   if (name == "path") return follow_path(node.attribute("d").value(), outliner);
   if (name == "polygon" || name == "polyline") return outline_points(node, name == "polygon", outliner);
-  if (name == "rect") return outline_rect(node, outliner);
-  const vec2 centre{length_or(node, "cx", 0.0), length_or(node, "cy", 0.0)};
-  const double r = length_or(node, "r", 0.0);
-  const vec2 radii = name == "circle" ? vec2{r, r} : vec2{length_or(node, "rx", 0.0), length_or(node, "ry", 0.0)};
+  if (name == "rect") return outline_rect(lengths, outliner);
+  if (name == "line") {
+    outliner.move_to({lengths.x("x1"), lengths.y("y1")});
+    return outliner.line_to({lengths.x("x2"), lengths.y("y2")});
+  }
+  const vec2 centre{lengths.x("cx"), lengths.y("cy")};
+  const double r = lengths.along("r");
+  const vec2 radii = name == "circle" ? vec2{r, r} : vec2{lengths.x("rx"), lengths.y("ry")};
   if (radii.x > 0.0 && radii.y > 0.0) outline_ellipse(centre, radii, outliner);
 }
 
-class ShapeSearch {
- public:
-  ShapeSearch(std::string_view text, const std::string& file) : text_(text), file_(file) {}
-
-  void visit(const pugi::xml_node& node, const Inherited& from_parent, int depth) {
-    for (const pugi::xml_node& child : node.children()) {
-      if (child.type() != pugi::node_element || property(child, "display") == "none") continue;
-      const std::string_view name = local_name(child);
-      const bool group = name == "g" || name == "a";
-      if (!group && std::ranges::find(shape_names, name) == shape_names.end()) continue;
-      try {
-        const Inherited inherited = handed_on(child, from_parent);
-        if (!group) {
-          add(child, name, inherited);
-        } else if (depth == deepest_groups) {
-          throw SvgError(fmt::format("at most {} groups in groups, got more", deepest_groups));
-        } else {
-          visit(child, inherited, depth + 1);
-        }
-      } catch (const SvgError& error) {
-        throw InputError(place_of(child), fmt::format("expected {}", error.what()));
-      }
-    }
-  }
-
-  Place place_of(const pugi::xml_node& node) const {
-    const TextPosition position =
-        text_position(text_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0)));
-    const std::string id = node.attribute("id").value();
-    const std::string name(local_name(node));
-    return {file_, position.line, position.column, id.empty() ? name : fmt::format("{}#{}", name, id)};
-  }
-
-  std::vector<ClosedShape>& found() { return found_; }
-
- private:
-  static constexpr std::array<std::string_view, 6> shape_names = {"path", "polygon", "polyline", "rect", "circle", "ellipse"};
-
-  static Inherited handed_on(const pugi::xml_node& node, const Inherited& from_parent) {
-    Inherited inherited = from_parent;
-    if (const auto transform = node.attribute("transform"))
-      inherited.to_mm = from_parent.to_mm.after(transform_of(transform.value()));
-    const std::string_view rule = property(node, "fill-rule");
-    if (rule == "evenodd") inherited.fill_rule = FillRule::evenodd;
-    if (rule == "nonzero") inherited.fill_rule = FillRule::nonzero;
-    return inherited;
-  }
-
-  void add(const pugi::xml_node& node, std::string_view name, const Inherited& inherited) {
-    Outliner outliner(inherited.to_mm, svg_tolerance_mm);
-    outline_element(node, name, outliner);
-    ClosedShape shape{node, inherited.fill_rule, {}};
-    for (const Subpath& subpath : outliner.subpaths()) {
-      const bool returns = subpath.points.size() > 2 && subpath.points.front() == subpath.points.back();
-      if (subpath.closed || returns) shape.rings.push_back(subpath.points);
-    }
-    if (shape.rings.empty()) return;
-    for (const geometry::Polygon& ring : shape.rings) points_ += ring.size();
-    if (points_ > most_vertices) throw SvgError(fmt::format("at most {} points in all, got more", most_vertices));
-    if (found_.size() == most_shapes) throw SvgError(fmt::format("at most {} shapes, got more", most_shapes));
-    found_.push_back(std::move(shape));
-  }
-
-  std::string_view text_;
-  const std::string& file_;
-  std::size_t points_ = 0;
-  std::vector<ClosedShape> found_;
+struct ViewBox {
+  vec2 low{0.0, 0.0};
+  vec2 size{0.0, 0.0};
 };
 
-std::optional<std::array<double, 4>> view_box(const pugi::xml_node& svg) {
+std::optional<ViewBox> view_box(const pugi::xml_node& svg) {
   const pugi::xml_attribute attribute = svg.attribute("viewBox");
   if (!attribute) return std::nullopt;
   SvgNumbers numbers(attribute.value());
   std::array<double, 4> box{};
   for (double& value : box) value = numbers.number();
   if (!numbers.at_end() || box[2] <= 0.0 || box[3] <= 0.0) throw SvgError("a viewBox of x y width height, got another");
-  return box;
+  return ViewBox{{box[0], box[1]}, {box[2], box[3]}};
+}
+
+// Where a viewBox lies in its viewport of the given size (SVG 1.1, 7.8): (0, 0) is the viewport's corner.
+Affine fitted(const ViewBox& box, vec2 viewport, std::string_view aspect_ratio) {
+  std::vector<std::string> words = words_of(aspect_ratio);
+  if (!words.empty() && words.front() == "defer") words.erase(words.begin());
+  const std::string align = words.empty() ? "xMidYMid" : words.front();
+  vec2 scale = viewport / box.size;
+  if (align == "none") return {scale.x, 0, 0, scale.y, -scale.x * box.low.x, -scale.y * box.low.y};
+  const auto part = [&](std::size_t at) -> double {
+    const std::string word = align.size() == 8 ? align.substr(at, 3) : std::string();
+    if (word == "Min") return 0.0;
+    if (word == "Mid") return 0.5;
+    if (word == "Max") return 1.0;
+    throw SvgError(fmt::format("a preserveAspectRatio of SVG, got {}", in_quotes(aspect_ratio)));
+  };
+  const bool slice = words.size() > 1 && words[1] == "slice";
+  const double factor = slice ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
+  const vec2 spare = (viewport - factor * box.size) * vec2{part(1), part(5)};
+  return {factor, 0, 0, factor, spare.x - factor * box.low.x, spare.y - factor * box.low.y};
 }
 
 // A length of the page; nothing where it is missing or relative to a screen.
@@ -204,43 +192,208 @@ std::optional<double> page_length(const pugi::xml_node& svg, const char* name) {
   return length;
 }
 
-// From user units of the root to mm, y up. Without width and height a user unit is a px; a viewBox is fitted into the page as
-// preserveAspectRatio="xMidYMid meet" does, which is the default.
-Affine page_to_mm(const pugi::xml_node& svg) {
+// What the root hands on: from its user units to mm times `scale`, y up. Without width and height a user unit is a px.
+Inherited page(const pugi::xml_node& svg, double scale) {
+  Inherited inherited;
   const auto box = view_box(svg);
   auto width = page_length(svg, "width");
   auto height = page_length(svg, "height");
   Affine to_px;
   if (box) {
-    if (!width && !height) width = (*box)[2];
-    if (!width) width = *height * (*box)[2] / (*box)[3];
-    if (!height) height = *width * (*box)[3] / (*box)[2];
-    const double scale = std::min(*width / (*box)[2], *height / (*box)[3]);
-    const vec2 spare = 0.5 * (vec2{*width, *height} - scale * vec2{(*box)[2], (*box)[3]});
-    to_px = {scale, 0, 0, scale, spare.x - scale * (*box)[0], spare.y - scale * (*box)[1]};
+    if (!width && !height) width = box->size.x;
+    if (!width) width = *height * box->size.x / box->size.y;
+    if (!height) height = *width * box->size.y / box->size.x;
+    to_px = fitted(*box, {*width, *height}, svg.attribute("preserveAspectRatio").value());
   }
-  return Affine{mm_per_px, 0, 0, -mm_per_px, 0, mm_per_px * height.value_or(0.0)}.after(to_px);
+  const double mm = scale * mm_per_px;
+  inherited.to_mm = Affine{mm, 0, 0, -mm, 0, mm * height.value_or(0.0)}.after(to_px);
+  inherited.viewport = box ? box->size : vec2{width.value_or(0.0), height.value_or(0.0)};
+  return inherited;
 }
 
-// The largest ring is the outline; the others are holes, unless the rule "nonzero" fills them: they turn the same way.
-geometry::Region region_of_shape(const ClosedShape& shape, const Place& place) {
-  const auto larger = [](const geometry::Polygon& a, const geometry::Polygon& b) {
-    return std::abs(geometry::area(a)) < std::abs(geometry::area(b));
-  };
-  const auto outline = std::ranges::max_element(shape.rings, larger);
-  const bool turns_left = geometry::area(*outline) > 0.0;
-  std::vector<Ring> holes;
-  for (const geometry::Polygon& ring : shape.rings) {
-    if (&ring == &*outline) continue;
-    const bool filled = shape.fill_rule == FillRule::nonzero && (geometry::area(ring) > 0.0) == turns_left;
-    if (!filled || !geometry::contains(*outline, ring.front())) holes.push_back({ring, place});
+class ShapeReader {
+ public:
+  ShapeReader(std::string_view text, Plan& plan) : index_(text), plan_(plan) {}
+
+  void read(const pugi::xml_node& svg, double scale) {
+    try {
+      root_ = svg;
+      visit_children(svg, page(svg, scale));
+    } catch (const SvgError& error) {
+      throw InputError(place_of(svg), fmt::format("expected {}", error.what()));
+    }
   }
-  return region_of({*outline, place}, holes);
-}
+
+ private:
+  static constexpr std::array<std::string_view, 7> shape_names = {"path",   "polygon", "polyline", "rect",
+                                                                  "circle", "ellipse", "line"};
+  static constexpr std::array<std::string_view, 5> group_names = {"g", "a", "svg", "switch", "use"};
+
+  static bool is_known(const pugi::xml_node& node) {
+    const std::string_view name = local_name(node);
+    return node.type() == pugi::node_element && (std::ranges::find(shape_names, name) != shape_names.end() ||
+                                                 std::ranges::find(group_names, name) != group_names.end());
+  }
+
+  Place place_of(const pugi::xml_node& node) const {
+    const TextPosition position = index_.position(static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0)));
+    const std::string id = node.attribute("id").value();
+    const std::string name(local_name(node));
+    return {plan_.file, position.line, position.column, id.empty() ? name : fmt::format("{}#{}", name, id)};
+  }
+
+  void visit_children(const pugi::xml_node& node, const Inherited& inherited) {
+    for (const pugi::xml_node& child : node.children()) visit(child, inherited);
+  }
+
+  // What SVG draws of a `switch`: the first child that asks for nothing special.
+  void visit_first(const pugi::xml_node& node, const Inherited& inherited) {
+    for (const pugi::xml_node& child : node.children()) {
+      if (!is_known(child) || child.attribute("requiredExtensions") || child.attribute("systemLanguage")) continue;
+      return visit(child, inherited);
+    }
+  }
+
+  void visit(const pugi::xml_node& node, const Inherited& from_parent) {
+    if (!is_known(node) || property(node, "display") == "none") return;
+    try {
+      if (++visited_ > most_elements) throw SvgError(fmt::format("at most {} elements, got more", most_elements));
+      const Inherited inherited = handed_on(node, from_parent);
+      const std::string_view name = local_name(node);
+      if (std::ranges::find(shape_names, name) != shape_names.end()) return add(node, name, inherited);
+      if (inherited.depth > deepest_groups) {
+        throw SvgError(fmt::format("at most {} groups in groups, got more", deepest_groups));
+      }
+      if (name == "use") return visit_used(node, inherited);
+      if (name == "switch") return visit_first(node, inherited);
+      visit_children(node, name == "svg" ? in_viewport(node, node, inherited) : inherited);
+    } catch (const SvgError& error) {
+      throw InputError(place_of(node), fmt::format("expected {}", error.what()));
+    }
+  }
+
+  Inherited handed_on(const pugi::xml_node& node, const Inherited& from_parent) {
+    Inherited inherited = from_parent;
+    const std::string_view css = style_property(node, "transform");
+    const std::string_view transform = css.empty() ? node.attribute("transform").value() : css;
+    if (!transform.empty() && transform != "none") {
+      for (const char* name : {"transform-origin", "transform-box"}) {
+        const std::string_view value = property(node, name);
+        if (!value.empty() && value != "0 0" && value != "view-box")
+          throw SvgError(fmt::format("no {} beside a transform, got {}", name, in_quotes(value)));
+      }
+      inherited.to_mm = from_parent.to_mm.after(transform_of(transform));
+    }
+    const std::string_view rule = property(node, "fill-rule");
+    if (rule == "evenodd") inherited.fill_rule = FillRule::evenodd;
+    if (rule == "nonzero") inherited.fill_rule = FillRule::nonzero;
+    const std::string_view visibility = property(node, "visibility");
+    if (!visibility.empty() && visibility != "inherit") inherited.visible = visibility == "visible";
+    inherited.group = plan_.features.size();
+    plan_.features.push_back(feature_of(node, from_parent));
+    ++inherited.depth;
+    return inherited;
+  }
+
+  static PlanFeature feature_of(const pugi::xml_node& node, const Inherited& from_parent) {
+    PlanFeature feature;
+    feature.group = from_parent.group;
+    feature.classes = words_of(node.attribute("class").value());
+    if (from_parent.copied) return feature;
+    for (const char* name : {"id", "inkscape:label", "data-name"}) {
+      const std::string value = node.attribute(name).value();
+      if (!value.empty() && std::ranges::find(feature.ids, value) == feature.ids.end()) feature.ids.push_back(value);
+    }
+    return feature;
+  }
+
+  // The viewport that `node` opens; its sizes may be given by the `use` that refers to it.
+  static Inherited in_viewport(const pugi::xml_node& node, const pugi::xml_node& sized_by, const Inherited& from_parent) {
+    Inherited inherited = from_parent;
+    const Lengths own(node, from_parent.viewport);
+    const Lengths sized(sized_by, from_parent.viewport);
+    const vec2 size{sized.x("width", own.x("width", from_parent.viewport.x)),
+                    sized.y("height", own.y("height", from_parent.viewport.y))};
+    const auto box = view_box(node);
+    const bool is_svg = local_name(node) == "svg";
+    Affine placed{1, 0, 0, 1, is_svg ? own.x("x") : 0.0, is_svg ? own.y("y") : 0.0};
+    if (box && size.x > 0.0 && size.y > 0.0) {
+      placed = placed.after(fitted(*box, size, node.attribute("preserveAspectRatio").value()));
+    }
+    inherited.to_mm = from_parent.to_mm.after(placed);
+    inherited.viewport = box ? box->size : size;
+    return inherited;
+  }
+
+  void visit_used(const pugi::xml_node& use, const Inherited& from_parent) {
+    const pugi::xml_attribute plain = use.attribute("href");
+    const std::string_view link = plain ? plain.value() : use.attribute("xlink:href").value();
+    if (link.empty()) return;
+    if (link.front() != '#') throw SvgError(fmt::format("a reference to an id of this file, got {}", in_quotes(link)));
+    const auto target = nodes_by_id().find(link.substr(1));
+    if (target == nodes_by_id().end())
+      throw SvgError(fmt::format("a reference to an id of this file, got {}", in_quotes(link)));
+    Inherited inherited = from_parent;
+    const Lengths lengths(use, from_parent.viewport);
+    inherited.to_mm = from_parent.to_mm.after({1, 0, 0, 1, lengths.x("x"), lengths.y("y")});
+    inherited.copied = true;
+    const pugi::xml_node& node = target->second;
+    if (local_name(node) != "symbol") return visit(node, inherited);
+    visit_children(node, in_viewport(node, use, handed_on(node, inherited)));
+  }
+
+  const std::map<std::string_view, pugi::xml_node>& nodes_by_id() {
+    if (!nodes_by_id_.empty()) return nodes_by_id_;
+    nodes_by_id_.emplace();
+    for (pugi::xml_node node = root_; node;) {
+      if (const pugi::xml_attribute id = node.attribute("id")) nodes_by_id_.emplace(id.value(), node);
+      if (node.first_child()) {
+        node = node.first_child();
+        continue;
+      }
+      while (node && node != root_ && !node.next_sibling()) node = node.parent();
+      node = node == root_ ? pugi::xml_node() : node.next_sibling();
+    }
+    return nodes_by_id_;
+  }
+
+  void add(const pugi::xml_node& node, std::string_view name, const Inherited& inherited) {
+    if (!inherited.visible) return;
+    Outliner outliner(inherited.to_mm, svg_tolerance_mm);
+    outline_element(node, name, Lengths(node, inherited.viewport), outliner);
+    if (outliner.subpaths().empty()) return;
+    const Place place = place_of(node);
+    PlanShape area{ShapeKind::area, {}, inherited.fill_rule, *inherited.group};
+    for (const Subpath& subpath : outliner.subpaths()) {
+      points_ += subpath.points.size();
+      if (points_ > most_vertices) throw SvgError(fmt::format("at most {} points in all, got more", most_vertices));
+      const bool returns = subpath.points.size() > 2 &&
+                           geometry::on_lattice(subpath.points.front()) == geometry::on_lattice(subpath.points.back());
+      if (subpath.closed || returns) {
+        area.rings.push_back({subpath.points, place});
+      } else if (subpath.points.size() > 1) {
+        keep({ShapeKind::line, {{subpath.points, place}}, std::nullopt, *inherited.group});
+      }
+    }
+    if (!area.rings.empty()) keep(std::move(area));
+  }
+
+  void keep(PlanShape shape) {
+    if (plan_.shapes.size() == most_shapes) throw SvgError(fmt::format("at most {} shapes, got more", most_shapes));
+    plan_.shapes.push_back(std::move(shape));
+  }
+
+  TextIndex index_;
+  Plan& plan_;
+  pugi::xml_node root_;
+  std::map<std::string_view, pugi::xml_node> nodes_by_id_;
+  std::size_t visited_ = 0;
+  std::size_t points_ = 0;
+};
 
 }  // namespace
 
-geometry::Region outline_of_svg(std::string_view text, const std::string& file, const OutlineChoice& choice) {
+Plan plan_of_svg(std::string_view text, const std::string& file, double scale) {
   pugi::xml_document document;
   const pugi::xml_parse_result result =
       document.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
@@ -252,16 +405,11 @@ geometry::Region outline_of_svg(std::string_view text, const std::string& file, 
   const pugi::xml_node svg = document.document_element();
   if (local_name(svg) != "svg")
     throw InputError(Place{file, 0, 0, ""}, fmt::format("expected an <svg>, got {}", in_quotes(local_name(svg))));
-  ShapeSearch search(text, file);
-  try {
-    search.visit(svg, {page_to_mm(svg), FillRule::nonzero}, 0);
-  } catch (const SvgError& error) {
-    throw InputError(search.place_of(svg), fmt::format("expected {}", error.what()));
-  }
-  std::vector<std::string> ids;
-  for (const ClosedShape& shape : search.found()) ids.emplace_back(shape.node.attribute("id").value());
-  const ClosedShape& shape = search.found()[chosen_shape(ids, "closed shape", choice, file)];
-  return region_of_shape(shape, search.place_of(shape.node));
+  Plan plan;
+  plan.file = file;
+  plan.svg = true;
+  ShapeReader(text, plan).read(svg, scale);
+  return plan;
 }
 
 }  // namespace shatterpave::scene

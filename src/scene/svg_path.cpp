@@ -138,6 +138,20 @@ std::string_view SvgNumbers::word() {
   return text_.substr(start, at_ - start);
 }
 
+namespace {
+
+// CSS writes the numbers of a transform with units; SVG's attribute has px and degrees without.
+double css_factor(std::string_view unit) {
+  if (unit.empty() || unit == "px" || unit == "deg") return 1.0;
+  if (unit == "rad") return 180.0 / pi;
+  if (unit == "turn") return 360.0;
+  throw SvgError(fmt::format("a transform in px and deg, got {}", in_quotes(unit)));
+}
+
+}  // namespace
+
+std::string_view SvgNumbers::unit() { return at_ < text_.size() && is_letter(text_[at_]) ? word() : std::string_view(); }
+
 Affine transform_of(std::string_view text) {
   Affine result;
   SvgNumbers numbers(text);
@@ -145,7 +159,7 @@ Affine transform_of(std::string_view text) {
     const std::string_view name = numbers.word();
     numbers.skip_character('(');
     std::vector<double> values;
-    while (numbers.at_number() && values.size() < 7) values.push_back(numbers.number());
+    while (numbers.at_number() && values.size() < 7) values.push_back(numbers.number() * css_factor(numbers.unit()));
     numbers.skip_character(')');
     result = result.after(one_transform(name, values));
   }

@@ -38,6 +38,7 @@ class SvgNumbers {
   char letter();                // the next letter; throws SvgError
   void skip_character(char c);  // which must come next
   std::string_view word();      // letters up to the next other character
+  std::string_view unit();      // letters right here, which may be none
 
  private:
   void skip_separators();

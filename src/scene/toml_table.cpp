@@ -129,11 +129,6 @@ Place TomlTable::place(std::string_view key) const {
   return place_of(node != nullptr ? *node : table_, file_, path_of(key));
 }
 
-Place TomlTable::place_of_name(std::string_view array, std::size_t index) const {
-  const toml::node* name = (*table_.get_as<toml::array>(array))[index].as_table()->get("name");
-  return place_of(*name, file_, fmt::format("{}[{}].name", path_of(array), index));
-}
-
 std::optional<double> TomlTable::number(std::string_view key, const Range& range) const {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
@@ -157,16 +152,30 @@ std::optional<std::string> TomlTable::text(std::string_view key) const {
   return node->as_string()->get();
 }
 
-std::optional<std::size_t> TomlTable::index_or_text(std::string_view key, std::optional<std::string>& text) const {
+std::vector<std::variant<std::size_t, std::string>> TomlTable::indices_or_texts(std::string_view key) const {
   const toml::node* node = find(key);
-  if (node == nullptr) return std::nullopt;
-  if (node->is_string()) {
-    text = node->as_string()->get();
-    return std::nullopt;
+  if (node == nullptr) return {};
+  std::vector<std::variant<std::size_t, std::string>> result;
+  const auto add = [&](const toml::node& value, const Place& place) {
+    const auto* index = value.as_integer();
+    if (value.is_string()) {
+      result.emplace_back(value.as_string()->get());
+    } else if (index != nullptr && index->get() >= 0) {
+      result.emplace_back(static_cast<std::size_t>(index->get()));
+    } else {
+      refuse(place, "an id in quotes or an index from 0", description(value));
+    }
+  };
+  const toml::array* list = node->as_array();
+  if (list == nullptr) {
+    add(*node, place(key));
+    return result;
   }
-  const auto* index = node->as_integer();
-  if (index == nullptr || index->get() < 0) refuse(place(key), "an id in quotes or an index from 0", description(*node));
-  return static_cast<std::size_t>(index->get());
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    add((*list)[i], place_of((*list)[i], file_, fmt::format("{}[{}]", path_of(key), i)));
+  }
+  if (result.empty()) refuse(place(key), "one or more ids or indices", "an empty list");
+  return result;
 }
 
 std::optional<vec2> TomlTable::point(std::string_view key, const Range& range) const {

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/error.h"
@@ -58,15 +59,12 @@ class TomlTable {
   // Of the table.
   Place place() const { return place_of(table_, file_, path_); }
 
-  // Of the `name` of the index-th element of an array of tables.
-  Place place_of_name(std::string_view array, std::size_t index) const;
-
   // Each returns nothing where the key is missing, and throws InputError where its value is not as it should be.
   std::optional<double> number(std::string_view key, const Range& range) const;
   std::optional<std::int64_t> whole_number(std::string_view key, std::int64_t low, std::int64_t high) const;
   std::optional<std::string> text(std::string_view key) const;
-  // A whole number from 0, or else a text, which goes to `text`.
-  std::optional<std::size_t> index_or_text(std::string_view key, std::optional<std::string>& text) const;
+  // A whole number from 0 or a text, or a list of them; empty where the key is missing.
+  std::vector<std::variant<std::size_t, std::string>> indices_or_texts(std::string_view key) const;
   std::optional<vec2> point(std::string_view key, const Range& range) const;
   std::optional<PlacedPoints> points(std::string_view key, const Range& range) const;
   // A list of lists of points.

@@ -10,7 +10,7 @@
 #include "paving/cutting.h"
 #include "paving/layout_quality.h"
 #include "paving/paved_areas.h"
-#include "scene/outline_file.h"
+#include "scene/plan_areas.h"
 #include "support/shared_data.h"
 
 namespace shatterpave::paving {
@@ -132,7 +132,7 @@ TEST(Laying, PlazasAreExactAlongTheirBorders) {
   SKIP_WITHOUT_SHARED_DATA();
   for (const char* name : {"karl-marx-platz-berlin", "tabard-piazza-london", "footway-london"}) {
     const auto file = support::shared_data() / "plazas" / (std::string(name) + ".geojson");
-    const geometry::Region area = scene::outline_of_file(file, {});
+    const geometry::Region area = scene::areas_of_file(file).front();
     for (const Direction& direction : {straight(30), Direction(BoundaryDirection{})}) {
       const Pavement paved = pavement(area, 300, 8, direction);
       const StoneLayout layout = laid_stones(paved, 7);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/random.h"
-#include "scene/outline_file.h"
+#include "scene/plan_areas.h"
 #include "scene/read_scene.h"
 
 namespace shatterpave::scene {
@@ -159,6 +159,13 @@ const std::string polygon =
     R"({"type":"Polygon","coordinates":[[[13.44,52.473],[13.441,52.473],[13.441,52.474],[13.44,52.474],[13.44,52.473]],)"
     R"([[13.4404,52.4734],[13.4406,52.4734],[13.4406,52.4736]]]})";
 
+// The areas of the only feature, with lines and points widened.
+void first_areas(const Plan& plan) {
+  const auto shapes =
+      chosen_shapes(plan, {ShapeKind::area, ShapeKind::line, ShapeKind::point}, {}, ByDefault::the_only_feature);
+  areas_of(plan, shapes, frame_of(plan, shapes, std::nullopt, std::nullopt), 100.0);
+}
+
 TEST(Fuzz, ScenesOrInputErrors) {
   const Ends ends = fuzzed({pane_scene, pavement_scene, pane_scene + pavement_scene}, "scene", 6000,
                            [](const std::string& text) { scene_of_text(text, "s.toml"); });
@@ -172,7 +179,7 @@ TEST(Fuzz, GeoJsonRegionsOrInputErrors) {
       R"({"crs":{"properties":{"name":"EPSG:25833"}},"type":"MultiPolygon","coordinates":[[[[391000,5812000],)"
       R"([391010,5812000],[391010,5812020]]]]})";
   const Ends ends = fuzzed({polygon, R"({"type":"FeatureCollection","features":[)" + feature + "]}", utm}, "geojson", 6000,
-                           [](const std::string& text) { outline_of_geojson(text, "a.geojson", {}); });
+                           [](const std::string& text) { first_areas(plan_of_geojson(text, "a.geojson")); });
   EXPECT_GT(ends.values, 300);
   EXPECT_GT(ends.errors, 1000);
 }
@@ -187,7 +194,7 @@ TEST(Fuzz, SvgRegionsOrInputErrors) {
       open + R"x(<rect x="15" y="10" width="40mm" height="30" rx="5"/></svg>)x",
       open + R"x(<ellipse cx="500" cy="500" rx="300" ry="200" transform="rotate(30 500 500) skewX(10)"/></svg>)x",
       open + R"x(<polygon points="0,0 100,0 100,50 20 70"/></svg>)x"};
-  const Ends ends = fuzzed(seeds, "svg", 6000, [](const std::string& text) { outline_of_svg(text, "a.svg", {}); });
+  const Ends ends = fuzzed(seeds, "svg", 6000, [](const std::string& text) { first_areas(plan_of_svg(text, "a.svg")); });
   EXPECT_GT(ends.values, 300);
   EXPECT_GT(ends.errors, 1000);
 }

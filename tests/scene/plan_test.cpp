@@ -1,4 +1,4 @@
-#include "scene/outline_file.h"
+#include "scene/plan.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "scene/plan_areas.h"
 #include "scene/read_scene.h"
 #include "support/shared_data.h"
 
@@ -15,14 +16,40 @@ namespace {
 using geometry::Polygon;
 using geometry::Region;
 
-geometry::Region geojson(const std::string& text, OutlineChoice choice = {}) {
-  choice.choice_place = Place{"s.toml", 3, 1, "outline_feature"};
-  return outline_of_geojson(text, "a.geojson", choice);
+// What a scene takes from a plan for an outline.
+struct Wanted {
+  ShapeChoice choice;
+  std::optional<PlanUnits> units;
+  double width_mm = 0.0;
+  std::optional<vec2> origin;
+};
+
+std::vector<Region> areas_wanted(const Plan& plan, Wanted wanted) {
+  wanted.choice.place = Place{"s.toml", 3, 1, "outline_feature"};
+  std::vector<ShapeKind> kinds = {ShapeKind::area};
+  if (wanted.width_mm > 0.0) kinds = {ShapeKind::area, ShapeKind::line, ShapeKind::point};
+  const auto shapes = chosen_shapes(plan, kinds, wanted.choice, ByDefault::the_only_feature);
+  return areas_of(plan, shapes, frame_of(plan, shapes, wanted.units, wanted.origin), wanted.width_mm);
 }
 
-geometry::Region svg(const std::string& body, const std::string& attributes = "", OutlineChoice choice = {}) {
-  choice.choice_place = Place{"s.toml", 3, 1, "outline_feature"};
-  return outline_of_svg("<svg xmlns=\"http://www.w3.org/2000/svg\" " + attributes + ">\n" + body + "\n</svg>", "a.svg", choice);
+Region the_only(const std::vector<Region>& regions) {
+  EXPECT_EQ(regions.size(), 1U);
+  return regions.front();
+}
+
+std::vector<Region> geojson_areas(const std::string& text, const Wanted& wanted = {}) {
+  return areas_wanted(plan_of_geojson(text, "a.geojson"), wanted);
+}
+Region geojson(const std::string& text, const Wanted& wanted = {}) { return the_only(geojson_areas(text, wanted)); }
+
+std::string svg_text(const std::string& body, const std::string& attributes = "") {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" " + attributes + ">\n" + body + "\n</svg>";
+}
+std::vector<Region> svg_areas(const std::string& body, const std::string& attributes = "", const Wanted& wanted = {}) {
+  return areas_wanted(plan_of_svg(svg_text(body, attributes), "a.svg"), wanted);
+}
+Region svg(const std::string& body, const std::string& attributes = "", const Wanted& wanted = {}) {
+  return the_only(svg_areas(body, attributes, wanted));
 }
 
 template <typename Read>
@@ -35,17 +62,9 @@ std::string message_of(const Read& read) {
   return "no error";
 }
 
-OutlineChoice by_id(const std::string& id) {
-  OutlineChoice choice;
-  choice.id = id;
-  return choice;
-}
-
-OutlineChoice in_units(OutlineUnits units) {
-  OutlineChoice choice;
-  choice.units = units;
-  return choice;
-}
+Wanted by_id(const std::string& id) { return {{{id}, std::nullopt, {}}, std::nullopt, 0.0, std::nullopt}; }
+Wanted by_class(const std::string& name) { return {{{}, name, {}}, std::nullopt, 0.0, std::nullopt}; }
+Wanted in_units(PlanUnits units) { return {{}, units, 0.0, std::nullopt}; }
 
 const std::string ring = "[[0,0],[300,0],[300,200],[0,200],[0,0]]";
 
@@ -64,9 +83,9 @@ TEST(GeoJson, ReadsPolygonsHoweverTheyAreWrapped) {
 
 TEST(GeoJson, MillimetresMetresAndFarPlaces) {
   const auto text = [](const std::string& coordinates) { return R"({"type":"Polygon","coordinates":[)" + coordinates + "]}"; };
-  const Polygon near = geojson(text("[[10,10],[20,10],[20,20]]"), in_units(OutlineUnits::metres)).outline;
+  const Polygon near = geojson(text("[[10,10],[20,10],[20,20]]"), in_units(PlanUnits::metres)).outline;
   EXPECT_EQ(near, (Polygon{{10'000, 10'000}, {20'000, 10'000}, {20'000, 20'000}}));
-  const Polygon small = geojson(text("[[10,10],[20,10],[20,20]]"), in_units(OutlineUnits::millimetres)).outline;
+  const Polygon small = geojson(text("[[10,10],[20,10],[20,20]]"), in_units(PlanUnits::millimetres)).outline;
   EXPECT_EQ(small, (Polygon{{10, 10}, {20, 10}, {20, 20}}));
   // UTM: the middle of the box, to whole metres, becomes the origin.
   const Polygon far = geojson(text("[[391000.5,5812000],[391010.5,5812000],[391010.5,5812020]]")).outline;
@@ -94,7 +113,7 @@ TEST(GeoJson, ReadsTheRealPlazas) {
   SKIP_WITHOUT_SHARED_DATA();
   const std::filesystem::path folder = support::shared_data() / "plazas";
   const auto expect = [&](const char* name, double area_m2, std::size_t holes) {
-    const Region region = outline_of_file(folder / name, {});
+    const Region region = the_only(areas_of_file(folder / name));
     EXPECT_NEAR(geometry::area(region) * 1e-6, area_m2, 0.02 * area_m2) << name;
     EXPECT_EQ(region.holes.size(), holes) << name;
     for (const Polygon& hole : region.holes) EXPECT_LT(geometry::area(hole), 0.0);
@@ -128,11 +147,12 @@ TEST(GeoJson, ErrorsNameFileAndPath) {
   EXPECT_EQ(error(R"({"type":"Polygon","coordinates":[[[0,0],[10,0],[10,10]]]})"),
             "a.geojson: coordinates[0]: expected an area of at most 2 km, got 1109 km × 1106 km; if these are no degrees, set "
             "outline_units");
+  const std::string two = R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[)" + ring + "]}}";
   EXPECT_EQ(
-      error(R"({"type":"MultiPolygon","coordinates":[[)" + ring + "],[" + ring + "]]}"),
+      error(R"({"type":"FeatureCollection","features":[)" + two + "," + two + "]}"),
       "s.toml:3:1: outline_feature: expected the id or the index of one of the 2 polygons of \"a.geojson\": 0, 1; got none");
   EXPECT_EQ(error(std::string(100'000, '[')), "a.geojson: expected at most 64 levels of nesting, got more");
-  EXPECT_EQ(error("1e999"), "a.geojson: expected JSON, got \"[json.exception.out_of_range.406] number…\"");
+  EXPECT_EQ(error("1e999"), "a.geojson:1:1: expected a number that a double can hold, got \"1e999\"");
 }
 
 TEST(Svg, UnitsAndViewBoxGiveMillimetresWithYUp) {
@@ -261,8 +281,8 @@ TEST(Svg, ErrorsNameTheElement) {
             "a.svg:2:2: polygon: expected edges that do not cross, got edge 0 of the outline and edge 2 of the outline "
             "crossing at (12.7, "
             "-12.7)");
-  EXPECT_TRUE(message_of([] { outline_of_svg("<svg><", "a.svg", {}); }).starts_with("a.svg:1:6: expected XML, got an error: "));
-  EXPECT_EQ(message_of([] { outline_of_svg("<html/>", "a.svg", {}); }), "a.svg: expected an <svg>, got \"html\"");
+  EXPECT_TRUE(message_of([] { plan_of_svg("<svg><", "a.svg"); }).starts_with("a.svg:1:6: expected XML, got an error: "));
+  EXPECT_EQ(message_of([] { plan_of_svg("<html/>", "a.svg"); }), "a.svg: expected an <svg>, got \"html\"");
   std::string deep;
   for (int i = 0; i < 200; ++i) deep += "<g>";
   for (int i = 0; i < 200; ++i) deep += "</g>";
@@ -273,7 +293,188 @@ TEST(Svg, DoesNotLoadOrExpandEntities) {
   const std::string text =
       "<!DOCTYPE svg [<!ENTITY a SYSTEM \"file:///etc/passwd\"><!ENTITY b \"10\">]>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\"><rect width=\"&b;\" height=\"&a;\"/></svg>";
-  EXPECT_EQ(message_of([&] { outline_of_svg(text, "a.svg", {}); }), "a.svg:2:42: rect: expected a number, got \"&b;\"");
+  EXPECT_EQ(message_of([&] { plan_of_svg(text, "a.svg"); }), "a.svg:2:42: rect: expected a number, got \"&b;\"");
+}
+
+Polygon rectangle(vec2 low, vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
+
+const std::string mm_page = R"(width="1000mm" height="1000mm" viewBox="0 0 1000 1000")";
+
+TEST(Svg, SubpathsThatLieApartAreAreasOfTheirOwn) {
+  const auto areas = svg_areas(
+      R"(<path fill-rule="evenodd" d="M0 0h100v100h-100z M20 20h60v60h-60z M40 40h20v20h-20z M200 0h100v100h-100z"/>)",
+      mm_page);
+  ASSERT_EQ(areas.size(), 3U);
+  EXPECT_EQ(areas[0].outline, rectangle({0, 900}, {100, 1000}));
+  ASSERT_EQ(areas[0].holes.size(), 1U);
+  EXPECT_EQ(areas[1].outline, rectangle({40, 940}, {60, 960}));  // an island in the hole
+  EXPECT_EQ(areas[2].outline, rectangle({200, 900}, {300, 1000}));
+}
+
+TEST(Svg, ChoosesByGroupLabelAndClass) {
+  const std::string body =
+      "<g id=\"layer1\" inkscape:label=\"Paved\"><rect class=\"plaza big\" width=\"9\" height=\"9\"/>"
+      "<rect id=\"b\" data-name=\"Yard, east\" x=\"20\" width=\"9\" height=\"9\"/></g>"
+      "<g class=\"plaza\"><rect x=\"40\" width=\"9\" height=\"9\"/></g>";
+  EXPECT_EQ(svg_areas(body, mm_page, by_id("Paved")).size(), 2U);
+  EXPECT_EQ(svg_areas(body, mm_page, by_id("layer1")).size(), 2U);
+  EXPECT_EQ(svg(body, mm_page, by_id("Yard, east")).outline, rectangle({20, 991}, {29, 1000}));
+  EXPECT_EQ(svg_areas(body, mm_page, by_class("plaza")).size(), 2U);
+  EXPECT_EQ(svg_areas(body, mm_page, by_class("big")).size(), 1U);
+  EXPECT_EQ(message_of([&] { svg_areas(body, mm_page, by_class("plaz")); }),
+            "s.toml:3:1: outline_feature: expected a class that a closed shape of \"a.svg\" has, got \"plaz\", which none has");
+}
+
+TEST(Svg, NestedViewportsAndPercentages) {
+  // The inner page is 500 × 250 for 100 × 100 units: one unit is 2.5, in the middle.
+  const std::string inner = R"(<svg x="100" y="200" width="50%" height="25%" viewBox="0 0 100 100">)";
+  EXPECT_EQ(svg(inner + R"(<rect width="50%" height="100%"/></svg>)", mm_page).outline, rectangle({225, 550}, {350, 800}));
+  const std::string stretched =
+      R"(<svg width="500" height="250" preserveAspectRatio="none" viewBox="0 0 100 100"><rect width="9" height="9"/></svg>)";
+  EXPECT_EQ(svg(stretched, mm_page).outline, rectangle({0, 977.5}, {45, 1000}));
+  const std::string low =
+      R"(<svg width="500" height="250" preserveAspectRatio="xMinYMax slice" viewBox="0 0 100 100"><rect width="9" height="9"/></svg>)";
+  EXPECT_EQ(svg(low, mm_page).outline, rectangle({0, 1205}, {45, 1250}));
+  const geometry::Box circle = geometry::bounding_box(svg(R"(<circle cx="50%" cy="50%" r="10%"/>)", mm_page).outline);
+  EXPECT_NEAR(circle.high.x, 600.0, 0.002);
+}
+
+TEST(Svg, UseDrawsTheOriginalElsewhere) {
+  const std::string body =
+      "<defs><g id=\"pair\"><rect id=\"r\" width=\"10\" height=\"10\"/><rect x=\"20\" width=\"10\" height=\"10\"/></g>"
+      "<symbol id=\"s\" viewBox=\"0 0 1 1\"><rect width=\"1\" height=\"1\"/></symbol></defs>"
+      "<use id=\"u\" href=\"#pair\" x=\"100\" y=\"50\"/><use id=\"v\" xlink:href=\"#s\" width=\"30\" height=\"30\"/>";
+  const auto areas = svg_areas(body, mm_page, by_id("u"));
+  ASSERT_EQ(areas.size(), 2U);
+  EXPECT_EQ(areas[1].outline, rectangle({120, 940}, {130, 950}));
+  EXPECT_EQ(svg(body, mm_page, by_id("v")).outline, rectangle({0, 970}, {30, 1000}));
+  EXPECT_EQ(message_of([&] { svg_areas("<use href=\"#none\"/>"); }),
+            "a.svg:2:2: use: expected a reference to an id of this file, got \"#none\"");
+}
+
+// Each use draws the one before twice: 2^64 rectangles.
+TEST(Svg, UseCannotBlowUp) {
+  std::string body = "<rect id=\"a0\" width=\"9\" height=\"9\"/>";
+  for (int i = 1; i <= 64; ++i) {
+    body += "<g id=\"a" + std::to_string(i) + "\"><use href=\"#a" + std::to_string(i - 1) + "\"/><use href=\"#a" +
+            std::to_string(i - 1) + "\"/></g>";
+  }
+  EXPECT_NE(message_of([&] { svg_areas(body); }).find("got more"), std::string::npos);
+  EXPECT_NE(message_of([&] { svg_areas("<g id=\"a\"><use href=\"#a\"/></g>"); }).find("at most 100 groups in groups"),
+            std::string::npos);
+}
+
+TEST(Svg, StyleMayTransformAndHide) {
+  const std::string body =
+      "<rect style=\"display : none\" width=\"9\" height=\"9\"/><g visibility=\"hidden\"><rect width=\"9\" height=\"9\"/></g>"
+      "<rect style=\"fill: none; transform: translate(10px, 20px) rotate(0.25turn)\" transform=\"scale(9)\" width=\"30\" "
+      "height=\"40\"/>";
+  EXPECT_EQ(svg(body, mm_page).outline, rectangle({-30, 950}, {10, 980}));
+  EXPECT_EQ(message_of([&] { svg_areas(R"x(<g transform="scale(2)" transform-origin="5 5"/>)x"); }),
+            "a.svg:2:2: g: expected no transform-origin beside a transform, got \"5 5\"");
+}
+
+// Illustrator wraps its pages so.
+TEST(Svg, SwitchDrawsWhatNeedsNoExtension) {
+  const std::string body =
+      "<switch><foreignObject requiredExtensions=\"&ns_ai;\"/><g><rect width=\"9\" height=\"9\"/></g>"
+      "<rect width=\"5\" height=\"5\"/></switch>";
+  EXPECT_EQ(svg(body, mm_page).outline, rectangle({0, 991}, {9, 1000}));
+}
+
+TEST(Svg, ScaleKeepsCurvesWithinTheTolerance) {
+  const Plan plan = plan_of_svg(svg_text(R"(<circle cx="50" cy="50" r="40"/>)", mm_page), "a.svg", 100.0);
+  const Region circle = the_only(areas_wanted(plan, {}));
+  const double exact = std::acos(-1.0) * 4000.0 * 4000.0;
+  EXPECT_NEAR(geometry::area(circle), exact, 2 * std::acos(-1.0) * 4000.0 * svg_tolerance_mm);
+}
+
+TEST(GeoJson, ChoosesByPropertiesAndPavesAllParts) {
+  const std::string text =
+      R"({"type":"FeatureCollection","features":[)"
+      R"({"type":"Feature","properties":{"@id":"way/1","name":"Markt","class":"plaza paved","lit":true},"geometry":)"
+      R"({"type":"MultiPolygon","coordinates":[[[[0,0],[300,0],[300,300]]],[[[400,0],[500,0],[500,100]]]]}},)"
+      R"({"type":"Feature","id":2,"properties":{"highway":"footway","width":2.5},"geometry":)"
+      R"({"type":"Polygon","coordinates":[[[600,0],[700,0],[700,100]]]}}]})";
+  for (const char* id : {"way/1", "Markt"}) EXPECT_EQ(geojson_areas(text, by_id(id)).size(), 2U) << id;
+  for (const char* name : {"plaza", "paved", "lit=true"}) EXPECT_EQ(geojson_areas(text, by_class(name)).size(), 2U) << name;
+  for (const char* name : {"highway=footway", "width=2.5"}) EXPECT_EQ(geojson_areas(text, by_class(name)).size(), 1U) << name;
+  Wanted wanted;
+  wanted.choice.shapes = {std::size_t{1}, std::string("2")};
+  EXPECT_EQ(geojson_areas(text, wanted).size(), 2U);
+}
+
+TEST(GeoJson, AcrossTheAntimeridian) {
+  const auto text = [](const std::string& east, const std::string& west) {
+    return R"({"type":"Polygon","coordinates":[[[)" + east + ",10],[" + west + ",10],[" + west + ",10.001]]]}";
+  };
+  EXPECT_EQ(geojson(text("179.999", "-179.999")).outline, geojson(text("0.999", "1.001")).outline);
+  // As RFC 7946 wants it: cut in two.
+  const auto parts =
+      geojson_areas(R"({"type":"MultiPolygon","coordinates":[[[[179.999,10],[180,10],[180,10.001],[179.999,10.001]]],)"
+                    R"([[[-180,10],[-179.999,10],[-179.999,10.001],[-180,10.001]]]]})");
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].outline[1], parts[1].outline[0]);
+}
+
+TEST(GeoJson, TakesReferenceSystemsAtTheirWord) {
+  const auto text = [](const std::string& crs, const std::string& ring_text) {
+    return R"({"type":"Polygon","crs":{"type":"name","properties":{"name":")" + crs + R"("}},"coordinates":[)" + ring_text +
+           "]}";
+  };
+  const std::string small = "[[1,1],[2,1],[2,2]]";
+  const std::string degrees = "[[13.44,52.473],[13.441,52.473],[13.441,52.474]]";
+  EXPECT_EQ(geojson(text("urn:ogc:def:crs:EPSG::25833", small)).outline, (Polygon{{1000, 1000}, {2000, 1000}, {2000, 2000}}));
+  for (const char* crs : {"urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:EPSG::4326", "EPSG:4258"}) {
+    EXPECT_NEAR(geometry::bounding_box(geojson(text(crs, degrees)).outline).high.x, 33'970, 10) << crs;
+  }
+  EXPECT_EQ(message_of([&] { geojson_areas(text("EPSG:3857", small)); }),
+            "a.geojson: crs: expected a reference system that keeps lengths, such as EPSG:4326 or UTM, got the web's Mercator "
+            "projection");
+  EXPECT_EQ(message_of([&] {
+              geojson_areas(R"({"type":"Polygon","coordinates":[[[190,10],[190.001,10],[190.001,10.001]]]})");
+            }).substr(0, 70),
+            "a.geojson: coordinates[0]: expected longitude and latitude or metres, ");
+}
+
+TEST(PlanAreas, LinesAreBandsAndPointsAreDiscs) {
+  Wanted wide = in_units(PlanUnits::metres);
+  wide.width_mm = 2000.0;
+  const Region band = geojson(R"({"type":"LineString","coordinates":[[0,0],[10,0],[10,10]]})", wide);
+  EXPECT_EQ(band.outline, (Polygon{{0, -1000}, {11'000, -1000}, {11'000, 10'000}, {9000, 10'000}, {9000, 1000}, {0, 1000}}));
+  const Region loop = geojson(R"({"type":"LineString","coordinates":[[0,0],[10,0],[10,10],[0,10],[0,0]]})", wide);
+  EXPECT_EQ(geometry::area(loop), 12'000.0 * 12'000.0 - 8000.0 * 8000.0);
+  const Region tree = geojson(R"({"type":"Point","coordinates":[5,5]})", wide);
+  EXPECT_NEAR(geometry::area(tree), std::acos(-1.0) * 1e6, 2 * std::acos(-1.0) * 1000.0 * svg_tolerance_mm);
+}
+
+TEST(PlanAreas, OverlapsAreCountedOnce) {
+  const auto areas = svg_areas(
+      R"(<g id="g"><rect width="100" height="100"/><rect x="50" width="100" height="100"/><rect width="100" height="100"/></g>)",
+      mm_page, by_id("g"));
+  ASSERT_EQ(areas.size(), 2U);
+  EXPECT_EQ(areas[0].outline, rectangle({0, 900}, {100, 1000}));
+  EXPECT_EQ(areas[1].outline, rectangle({100, 900}, {150, 1000}));
+}
+
+TEST(PlanAreas, HolesMayLieAnyhow) {
+  const auto region = [](vec2 low, vec2 high) { return Region{rectangle(low, high), {}}; };
+  const std::vector<Region> area = {region({0, 0}, {100, 100})};
+  // Inside: kept as it is.
+  const auto inside = without(area, {region({10, 10}, {20, 20}), region({50, 50}, {60, 60})});
+  ASSERT_EQ(inside.size(), 1U);
+  EXPECT_EQ(inside[0].holes.size(), 2U);
+  // Overlapping each other; across the outline; along it; far away.
+  const auto merged = without(area, {region({10, 10}, {20, 20}), region({15, 15}, {30, 30})});
+  EXPECT_EQ(geometry::area(merged[0]), 10'000 - 100 - 225 + 25);
+  EXPECT_EQ(geometry::area(without(area, {region({90, 40}, {120, 60})})[0]), 10'000 - 200);
+  EXPECT_EQ(geometry::area(without(area, {region({90, 40}, {100, 60})})[0]), 10'000 - 200);
+  EXPECT_EQ(without(area, {region({200, 200}, {300, 300})}), area);
+  // In two.
+  EXPECT_EQ(without(area, {region({40, -10}, {60, 110})}).size(), 2U);
+  // A pond with an island.
+  const Region pond{rectangle({20, 20}, {80, 80}), {{{40, 40}, {40, 60}, {60, 60}, {60, 40}}}};
+  EXPECT_EQ(without(area, {pond}).size(), 2U);
 }
 
 }  // namespace

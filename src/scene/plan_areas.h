@@ -1,0 +1,19 @@
+// Areas of plans as regions.
+#pragma once
+
+#include "scene/plan_frame.h"
+
+namespace shatterpave::scene {
+
+// The regions of shapes of a plan, in their order: areas as they are, lines as bands of `width_mm` > 0 that end square, points
+// as discs of that diameter. Where a region overlaps those before it, it gives way.
+std::vector<geometry::Region> areas_of(const Plan& plan, const std::vector<std::size_t>& shapes, const PlanFrame& frame,
+                                       double width_mm);
+
+// The areas of the only feature of a file, in a frame of its own.
+std::vector<geometry::Region> areas_of_file(const std::filesystem::path& file);
+
+// The regions without what lies in `holes`, which may overlap and lie anywhere: one region may become several or none.
+std::vector<geometry::Region> without(const std::vector<geometry::Region>& areas, const std::vector<geometry::Region>& holes);
+
+}  // namespace shatterpave::scene

@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS shatterpave shatterpave_repeatable EXPORT shatterpave)
-install(TARGETS shatterpave_command RUNTIME)
+install(TARGETS shatterpave_command shatterpave_rasters RUNTIME)
 install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shatterpave FILES_MATCHING PATTERN "*.h")
 install(EXPORT shatterpave NAMESPACE shatterpave:: FILE shatterpaveTargets.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/shatterpave)

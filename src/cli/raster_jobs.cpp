@@ -1,0 +1,36 @@
+// In `shatterpave-rasters`: does the job.
+#include "cli/raster_jobs.h"
+
+#include "cli/export_job.h"
+#include "cli/terminal.h"
+#include "core/parallel.h"
+#include "export/povray/povray.h"
+#include "pipeline/generate.h"
+#include "pipeline/render.h"
+#include "pipeline/write.h"
+#include "scene/read_scene.h"
+
+namespace shatterpave::cli {
+
+void run_with_rasters(const Export& job, char** /*argv*/) {
+  export_scene(job, [](const exporting::Model& model, Target target) {
+    return target == Target::povray ? exporting::povray::povray_files(model) : files_without_rasters(model, target);
+  });
+}
+
+void run_with_rasters(const Render& job, char** /*argv*/) {
+  const ThreadLimit limit(job.options.threads);
+  const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
+  pipeline::require_output_folder(job.output);
+  pipeline::Picture picture;
+  {
+    ProgressBar bar;
+    const exporting::Model model = pipeline::generated(scene, bar.progress());
+    const SignalNotes notes;
+    picture = pipeline::rendered(model, job.options, job.output, bar.progress(), SignalNotes::received);
+  }
+  tell(picture.messages);
+  print_paths(picture.files);
+}
+
+}  // namespace shatterpave::cli

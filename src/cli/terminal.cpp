@@ -1,0 +1,71 @@
+#include "cli/terminal.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <system_error>
+
+namespace shatterpave::cli {
+
+namespace {
+
+volatile std::sig_atomic_t signal_received = 0;
+
+extern "C" void note_signal(int signal) { signal_received = signal; }
+
+bool written(std::FILE* stream, std::string_view text) {
+  return std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0;
+}
+
+}  // namespace
+
+void print(std::string_view text) {
+  if (!written(stdout, text)) throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
+}
+
+void print_paths(const std::vector<std::filesystem::path>& paths) {
+  std::string lines;
+  for (const std::filesystem::path& path : paths) lines += path.string() + "\n";
+  print(lines);
+}
+
+void tell(std::string_view text) { static_cast<void>(written(stderr, text)); }
+
+ProgressBar::ProgressBar() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+  if (shown_) tell("\r\x1b[K");
+}
+
+void ProgressBar::show(std::string_view what, double part) {
+  if (!terminal_) return;
+  constexpr int width = 30;
+  const int full = static_cast<int>(part * width);
+  tell(fmt::format("\r\x1b[K[{:#>{}}{:.>{}}] {:3.0f}% {}", "", full, "", width - full, 100.0 * part, what));
+  shown_ = true;
+}
+
+Progress ProgressBar::progress() {
+  return [this](std::string_view what, double part) { show(what, part); };
+}
+
+SignalNotes::SignalNotes() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    // A signal that is ignored, as under nohup, stays ignored.
+    if (std::signal(signal, note_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
+}
+
+bool SignalNotes::received() { return signal_received != 0; }
+
+int end_by_signal() {
+  std::signal(signal_received, SIG_DFL);
+  std::raise(signal_received);
+  return 128 + signal_received;
+}
+
+}  // namespace shatterpave::cli

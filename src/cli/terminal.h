@@ -1,0 +1,47 @@
+// The one stream to the terminal: what the command says, its progress, and signals that end it.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "core/progress.h"
+
+namespace shatterpave::cli {
+
+// To standard output; throws std::system_error where it cannot.
+void print(std::string_view text);
+// A line for each path, to standard output.
+void print_paths(const std::vector<std::filesystem::path>& paths);
+// To standard error, as far as that works.
+void tell(std::string_view text);
+
+// A bar on a terminal; nothing elsewhere. It is taken away when it dies.
+class ProgressBar {
+ public:
+  ProgressBar();
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  // Valid while the bar lives.
+  Progress progress();
+
+ private:
+  void show(std::string_view what, double part);
+
+  bool terminal_;
+  bool shown_ = false;
+};
+
+// While it lives, signals that end the program only leave a note, so that what is being written can be taken back.
+class SignalNotes {
+ public:
+  SignalNotes();
+  static bool received();
+};
+
+// Ends as the signal that was noted would have ended it, so that a shell sees what happened.
+int end_by_signal();
+
+}  // namespace shatterpave::cli

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# The command starts without OpenImageIO, whose libraries take longer to load than most jobs to do, and finds the program that
+# has them wherever it is called from.
+set -euo pipefail
+build=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+fail() { printf '%s\n' "$*"; exit 1; }
+
+ldd "$build/shatterpave" >"$scratch/loaded"
+! grep OpenImageIO "$scratch/loaded" || fail "shatterpave loads OpenImageIO"
+ldd "$build/shatterpave-rasters" >"$scratch/loaded"
+grep -q OpenImageIO "$scratch/loaded" || fail "shatterpave-rasters does not load OpenImageIO: it cannot write rasters"
+
+cat >"$scratch/s.toml" <<'TOML'
+[[pavement]]
+name = "p"
+outline_mm = [[0, 0], [400, 0], [400, 300]]
+TOML
+ln -s "$build/shatterpave" "$scratch/linked"
+(cd "$scratch" && ./linked export s.toml -o out --target povray >list) || fail "through a link: exit status $?"
+grep -q '\.png$' "$scratch/list" || fail "no raster was written: $(<"$scratch/list")"
+
+# Where that program is missing the message says so.
+cp "$build/shatterpave" "$scratch/alone"
+status=0
+"$scratch/alone" export "$scratch/s.toml" -o "$scratch/out2" 2>"$scratch/message" || status=$?
+[[ $status == 1 ]] || fail "alone: expected exit status 1, got $status"
+grep -q "$scratch/shatterpave-rasters" "$scratch/message" || fail "alone: $(<"$scratch/message")"
+[[ ! -e $scratch/out2 ]] || fail "alone: something was written"

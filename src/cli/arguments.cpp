@@ -149,13 +149,12 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
 }
 
 CLI::App* add_measure(CLI::App& app, Requests& requests) {
-  CLI::App* command =
-      app.add_subcommand("measure", "Break the scene's panes over and over, and hold them against the measured panes of 1992");
+  CLI::App* command = app.add_subcommand(
+      "measure", "Measure the scene's panes and pavements over many seeds, and hold them against their sources");
   add_scene_options(*command, requests.scene);
   add_output(*command, requests.output);
-  command->add_option("--seeds", requests.measure.seeds, "Number of seeds, from the scene's (or --seed) on")
+  command->add_option("--seeds", requests.measure.seeds, "Number of seeds, from the scene's (or --seed) on; default 1")
       ->type_name("N")
-      ->required()
       ->check(CLI::Range(std::size_t{1}, pipeline::most_seeds));
   command
       ->add_option("--radials", requests.radials,

@@ -1,9 +1,8 @@
 #include "measure/summary.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "core/error.h"
 #include "measure/experiment.h"
 
 namespace shatterpave::measure {
@@ -27,18 +26,6 @@ constexpr double least_edge_angle_deg = 75.0;
 constexpr double least_square_edge_angles = 90.0;  // %
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-Verdict verdict_of(const Finding& finding) {
-  const bool two_sided = finding.low > -unlimited && finding.high < unlimited;
-  if (finding.count == 0) return Verdict::open;
-  if (two_sided && finding.error > 0.25 * (finding.high - finding.low)) return Verdict::open;
-  return finding.low <= finding.figure && finding.figure <= finding.high ? Verdict::holds : Verdict::fails;
-}
-
-Finding judged(Finding finding) {
-  finding.verdict = verdict_of(finding);
-  return finding;
-}
 
 double percentage(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
@@ -66,8 +53,8 @@ void add_large_findings(const Line& line, std::vector<Finding>& findings) {
       "large_residual", "Residual SD of N about its line", "", -unlimited, greatest_residual, line.residual, 0.0, line.count,
       "panes"};
   // A line that cannot be told has no residual either.
-  residual.verdict = findings.back().verdict == Verdict::open ? Verdict::open : verdict_of(residual);
-  findings.push_back(residual);
+  const bool told = findings.back().verdict != Verdict::open;
+  findings.push_back(told ? judged(residual) : residual);
 }
 
 void add_ring_findings(const Summary& sums, std::vector<Finding>& findings) {
@@ -159,10 +146,6 @@ Summary Totals::summary() const {
   return summary;
 }
 
-const Finding& finding(const Summary& summary, std::string_view id) {
-  const auto found = std::ranges::find(summary.findings, id, &Finding::id);
-  ENSURE(found != summary.findings.end());
-  return *found;
-}
+const Finding& finding(const Summary& summary, std::string_view id) { return finding_of(summary.findings, id); }
 
 }  // namespace shatterpave::measure

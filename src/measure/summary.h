@@ -2,37 +2,15 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <string_view>
 #include <vector>
 
 #include "measure/distribution.h"
+#include "measure/finding.h"
 #include "measure/line.h"
 #include "measure/pane_measures.h"
 
 namespace shatterpave::measure {
-
-enum class Verdict {
-  holds,
-  fails,
-  open,  // nothing was measured, or the standard error is more than half of the tolerance
-};
-
-// One figure and the range in which it is wanted.
-struct Finding {
-  std::string_view id;        // fixed: scripts may look for it
-  std::string_view quantity;  // what it is, in words
-  std::string_view unit;      // "mm", "°", "%", or empty
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  double figure = 0.0;
-  double error = 0.0;        // standard error; 0 where it is not told
-  std::size_t count = 0;     // of what the figure was made
-  std::string_view counted;  // what they are: "panes", "turns" …
-  Verdict verdict = Verdict::open;
-
-  bool operator==(const Finding&) const = default;
-};
 
 // The figures against the measured panes are of each pane's first impact: the cracks of later ones stop at earlier ones, and no
 // pane of the paper was hit twice. Crossings are those of all impacts.

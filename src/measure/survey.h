@@ -1,4 +1,4 @@
-// The panes of a scene over many seeds: what `measure` writes.
+// The panes and pavements of a scene over many seeds: what `measure` writes.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,11 @@
 #include "measure/count_law.h"
 #include "measure/distribution.h"
 #include "measure/pane_measures.h"
+#include "measure/pavement_findings.h"
+#include "measure/pavement_measures.h"
 #include "measure/summary.h"
+#include "paving/pavement.h"
+#include "paving/stones.h"
 
 namespace shatterpave::measure {
 
@@ -53,6 +57,20 @@ struct Sweep {
   bool operator==(const Sweep&) const = default;
 };
 
+// A pavement of the scene, laid with one seed.
+struct SurveyedLayout {
+  std::uint64_t seed = 0;
+  LayoutFigures figures;
+};
+
+struct SurveyedPavement {
+  paving::Pavement pavement;
+  std::vector<SurveyedLayout> layouts;  // seed by seed; the first one only, where no seed would change anything
+  std::vector<Finding> findings;        // of all layouts
+  paving::StoneLayout first_layout;     // as set out, of the first seed
+  LayoutMeasures first_measures;
+};
+
 struct Survey {
   std::string name;  // of the scene: stem of the file names
   std::vector<std::string> pane_names;
@@ -61,9 +79,10 @@ struct Survey {
   std::optional<Sweep> sweep;           // where M is not what the scene says
   std::optional<CountLaw> count_law;    // by which M was drawn, where all panes have one law
   std::vector<SurveyedPane> panes;      // seed by seed, in each in the order of the scene
-  Summary summary;                      // of all panes together
+  Summary summary;                      // of all panes together; nothing in it where there are none
   std::vector<Summary> pane_summaries;  // of each pane of the scene
   std::vector<Specimen> specimens;      // the first panes; in a sweep some from all of it
+  std::vector<SurveyedPavement> pavements;
 };
 
 }  // namespace shatterpave::measure

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <mutex>
 
@@ -12,6 +13,7 @@
 #include "core/parallel.h"
 #include "glass/counts.h"
 #include "glass/growth.h"
+#include "paving/laying.h"
 
 namespace shatterpave::pipeline {
 
@@ -24,13 +26,14 @@ constexpr std::size_t most_specimens = 24;
 
 void require_measurable(const scene::Scene& scene, const MeasureOptions& options) {
   const auto refuse = [&](const std::string& message) { throw InputError(Place{options.scene_file, 0, 0, ""}, message); };
-  if (scene.panes.empty()) refuse("expected one or more tables [[pane]] to measure, got none; pavements are not measured");
+  if (scene.panes.empty() && scene.pavements.empty()) refuse("expected a table [[pane]] or [[pavement]] to measure, got none");
+  if (scene.panes.empty() && options.sweep) refuse("expected one or more tables [[pane]] for --radials, got none");
   constexpr auto last_seed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (scene.seed > last_seed - (options.seeds - 1)) {
     refuse(fmt::format("expected a first seed of at most {} for {} seeds, got {}", last_seed - (options.seeds - 1),
                        options.seeds, scene.seed));
   }
-  if (options.seeds > most_measured_panes / scene.panes.size()) {
+  if (!scene.panes.empty() && options.seeds > most_measured_panes / scene.panes.size()) {
     refuse(fmt::format("expected at most {} panes in all, got {} seeds with {} panes each", most_measured_panes, options.seeds,
                        scene.panes.size()));
   }
@@ -111,7 +114,7 @@ class Surveyor {
   }
 
   Survey finished() {
-    survey_.summary = totals_.summary();
+    if (!scene_.panes.empty()) survey_.summary = totals_.summary();
     for (const measure::Totals& totals : pane_totals_) survey_.pane_summaries.push_back(totals.summary());
     return std::move(survey_);
   }
@@ -135,6 +138,56 @@ class Surveyor {
   std::vector<measure::Totals> pane_totals_;
 };
 
+// Whether a seed shows in where stones lie.
+bool is_drawn(const paving::Pavement& pavement) {
+  const paving::Variation& variation = pavement.variation;
+  const paving::Bond bond = pavement.bonding.bond;
+  if (variation.size > 0.0 || variation.rotation > Angle() || variation.offset_mm > 0.0 || variation.missing > 0.0) return true;
+  if (bond == paving::Bond::ashlar || bond == paving::Bond::crazy) return true;
+  return bond == paving::Bond::packed && !std::holds_alternative<paving::ConstantDirection>(pavement.direction);
+}
+
+measure::SurveyedPavement surveyed_pavement(const paving::Pavement& pavement, std::uint64_t first_seed, std::size_t seeds,
+                                            const std::function<void()>& one_done) {
+  measure::SurveyedPavement result{pavement, {}, {}, {}, {}};
+  paving::Pavement plain = pavement;
+  plain.variation = {};
+  const bool varies = plain.variation != pavement.variation;
+  for (std::size_t i = 0; i < seeds; ++i) {
+    const std::uint64_t seed = first_seed + i;
+    paving::StoneLayout set_out = paving::laid_stones(plain, seed);
+    measure::LayoutMeasures measures = varies ? measure::measured(pavement, set_out, paving::laid_stones(pavement, seed))
+                                              : measure::measured(pavement, set_out, set_out);
+    result.layouts.push_back({seed, measures.figures});
+    if (i == 0) {
+      result.first_layout = std::move(set_out);
+      result.first_measures = std::move(measures);
+    }
+    one_done();
+  }
+  std::vector<measure::LayoutFigures> figures;
+  for (const measure::SurveyedLayout& layout : result.layouts) figures.push_back(layout.figures);
+  result.findings = measure::pavement_findings(pavement, figures);
+  return result;
+}
+
+// Pavements that no seed changes are laid once.
+std::vector<measure::SurveyedPavement> surveyed_pavements(const scene::Scene& scene, const MeasureOptions& options,
+                                                          const Progress& progress) {
+  const auto seeds = [&](const paving::Pavement& pavement) { return is_drawn(pavement) ? options.seeds : 1; };
+  std::size_t count = 0;
+  for (const paving::Pavement& pavement : scene.pavements) count += seeds(pavement);
+  std::size_t done = 0;
+  std::vector<measure::SurveyedPavement> result;
+  for (const paving::Pavement& pavement : scene.pavements) {
+    result.push_back(surveyed_pavement(pavement, scene.seed, seeds(pavement), [&] {
+      ++done;
+      if (progress) progress("measuring pavements", static_cast<double>(done) / static_cast<double>(count));
+    }));
+  }
+  return result;
+}
+
 }  // namespace
 
 Survey surveyed(const scene::Scene& scene, const MeasureOptions& options, const Progress& progress) {
@@ -153,7 +206,9 @@ Survey surveyed(const scene::Scene& scene, const MeasureOptions& options, const 
     });
     for (std::size_t i = 0; i < batch.size(); ++i) surveyor.add(begin + i, std::move(batch[i]));
   }
-  return surveyor.finished();
+  Survey survey = surveyor.finished();
+  survey.pavements = surveyed_pavements(scene, options, progress);
+  return survey;
 }
 
 }  // namespace shatterpave::pipeline

@@ -1,4 +1,4 @@
-// A scene broken over and over, and measured.
+// A scene broken and paved over and over, and measured.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,12 @@ inline constexpr std::size_t most_measured_panes = 1'000'000;
 
 struct MeasureOptions {
   std::string scene_file;               // how messages name the scene
-  std::size_t seeds = 200;              // 1 … most_seeds
+  std::size_t seeds = 1;                // 1 … most_seeds
   std::optional<measure::Sweep> sweep;  // M in place of what the scene says; N and R then follow from it
 };
 
-// Breaks every pane of `scene` with `options.seeds` seeds, from the scene's own on. Throws InputError for a scene without panes
-// and for too many seeds.
+// Breaks every pane of `scene` and lays every pavement with `options.seeds` seeds, from the scene's own on. Throws InputError
+// for a scene without either, and for too many seeds.
 measure::Survey surveyed(const scene::Scene& scene, const MeasureOptions& options, const Progress& progress = {});
 
 }  // namespace shatterpave::pipeline

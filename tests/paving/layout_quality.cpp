@@ -7,7 +7,7 @@
 #include "geometry/clip.h"
 #include "geometry/predicates.h"
 #include "geometry/region_index.h"
-#include "paving/direction_field.h"
+#include "measure/pavement_measures.h"
 
 namespace shatterpave::paving {
 
@@ -107,76 +107,6 @@ bool leaves(const Polygon& stone, const geometry::RegionIndex& area, std::vector
   });
 }
 
-double percentile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0.0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-// Percentiles of values with weights.
-double percentile(std::vector<std::pair<double, double>> values, double share) {
-  std::ranges::sort(values);
-  double total = 0.0;
-  for (const auto& v : values) total += v.second;
-  double sum = 0.0;
-  for (const auto& v : values) {
-    sum += v.second;
-    if (sum >= share * total) return v.first;
-  }
-  return 0.0;
-}
-
-// Least angle between a side and the rows or columns, in degrees.
-double misalignment_deg(vec2 side, vec2 axis) {
-  const double along = std::abs(glm::dot(side, axis));
-  const double across = std::abs(cross(side, axis));
-  return Angle::of({std::max(along, across), std::min(along, across)}).degrees();
-}
-
-void measure_sides(const Stone& stone, const DirectionField& field, std::vector<std::pair<double, double>>& sides) {
-  for (std::size_t i = 0; i < stone.outline_mm.size(); ++i) {
-    const vec2 a = stone.outline_mm[i];
-    const vec2 d = stone.outline_mm[(i + 1) % stone.outline_mm.size()] - a;
-    sides.emplace_back(misalignment_deg(d, field.axis(a + 0.5 * d)), length(d));
-  }
-}
-
-// From the middle of each side of the stone straight out to the neighbour, if there is one within three joints.
-void measure_joints(const StoneLayout& layout, std::size_t s, const Neighbourhood& near, double joint_mm,
-                    std::vector<double>& widths) {
-  const Polygon& stone = layout.stones[s].outline_mm;
-  const auto neighbours = near.near(s, 3.0 * joint_mm);
-  for (std::size_t i = 0; i < stone.size(); ++i) {
-    const vec2 d = stone[(i + 1) % stone.size()] - stone[i];
-    const vec2 out = -left_of(d) / length(d);
-    const vec2 middle = stone[i] + 0.4 * d;  // not just where a cross joint may be
-    double width = 3.0 * joint_mm;
-    for (const std::size_t n : neighbours) {
-      const Polygon& other = layout.stones[n].outline_mm;
-      for (std::size_t j = 0; j < other.size(); ++j) {
-        const vec2 e = other[(j + 1) % other.size()] - other[j];
-        const double denominator = cross(out, e);
-        if (denominator == 0.0) continue;
-        const double t = cross(other[j] - middle, e) / denominator;
-        const double along = cross(other[j] - middle, out) / denominator;
-        if (t > 0.0 && along >= 0.0 && along <= 1.0) width = std::min(width, t);
-      }
-    }
-    if (width < 3.0 * joint_mm) widths.push_back(width / joint_mm);
-  }
-}
-
-double coverage(const Pavement& pavement, const StoneLayout& layout) {
-  double covered = 0.0;
-  for (const Stone& stone : layout.stones) {
-    for (const auto& grown : geometry::offset({stone.outline_mm, {}}, 0.5 * pavement.joint_mm)) {
-      for (const auto& part : geometry::intersection(grown.outline, pavement.area)) covered += geometry::area(part);
-    }
-  }
-  return covered / geometry::area(pavement.area);
-}
-
 }  // namespace
 
 LayoutFaults faults(const Pavement& pavement, const StoneLayout& layout) {
@@ -196,46 +126,19 @@ LayoutFaults faults(const Pavement& pavement, const StoneLayout& layout) {
 }
 
 LayoutQuality quality(const Pavement& pavement, const StoneLayout& layout) {
+  const measure::LayoutFigures figures = measure::measured(pavement, layout, layout).figures;
   LayoutQuality result;
-  const geometry::RegionIndex area(pavement.area);
-  const DirectionField field(pavement, area);
-  const Neighbourhood near(layout, 2.0 * std::max(pavement.stone_mm.x, pavement.stone_mm.y));
-  const double stone_area = pavement.stone_mm.x * pavement.stone_mm.y;
-  std::vector<std::pair<double, double>> sides;
-  std::vector<double> joints;
-  double sum = 0.0;
-  double squares = 0.0;
-  std::size_t four = 0;
-  result.smallest = 1e9;
-  for (std::size_t s = 0; s < layout.stones.size(); ++s) {
-    const Stone& stone = layout.stones[s];
-    const double share = geometry::area(stone.outline_mm) / stone_area;
-    result.smallest = std::min(result.smallest, share);
-    if (stone.kind != StoneKind::whole) continue;
-    ++result.whole;
-    four += stone.outline_mm.size() == 4 ? 1U : 0U;
-    sum += share;
-    squares += share * share;
-    measure_sides(stone, field, sides);
-    if (pavement.joint_mm > 0.0) measure_joints(layout, s, near, pavement.joint_mm, joints);
-  }
-  result.stones = layout.stones.size();
-  if (result.whole == 0) return result;
-  const auto whole = static_cast<double>(result.whole);
-  double weighted = 0.0;
-  double weight = 0.0;
-  for (const auto& [degrees, mm] : sides) {
-    weighted += degrees * mm;
-    weight += mm;
-  }
-  result.mean_misalignment_deg = weighted / weight;
-  result.p95_misalignment_deg = percentile(sides, 0.95);
-  result.four_sided = static_cast<double>(four) / whole;
-  result.coverage = coverage(pavement, layout);
-  result.joint_p5 = percentile(joints, 0.05);
-  result.joint_p95 = percentile(joints, 0.95);
-  result.mean_area = sum / whole;
-  result.area_spread = std::sqrt(std::max(0.0, squares / whole - result.mean_area * result.mean_area)) / result.mean_area;
+  result.stones = figures.stones;
+  result.whole = figures.whole;
+  result.mean_misalignment_deg = figures.misaligned_mean_deg;
+  result.p95_misalignment_deg = figures.misaligned_p95_deg;
+  result.four_sided = 0.01 * figures.four_sided_percent;
+  result.coverage = 0.01 * figures.covered_percent;
+  result.joint_p5 = 0.01 * figures.joint_p5_percent;
+  result.joint_p95 = 0.01 * figures.joint_p95_percent;
+  result.area_spread = 0.01 * figures.area_spread_percent;
+  result.mean_area = 0.01 * figures.area_mean_percent;
+  result.smallest = 0.01 * figures.smallest_percent;
   return result;
 }
 

@@ -1,4 +1,5 @@
-// How well stones are laid: exact faults by brute force on the lattice, and the numbers that a paviour would look at.
+// How well stones are laid: exact faults by brute force on the lattice, an oracle for measure/layout_faults.h; and what
+// measure/pavement_measures.h tells, as shares.
 #pragma once
 
 #include <cstddef>

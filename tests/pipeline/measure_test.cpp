@@ -78,8 +78,7 @@ TEST(Surveyed, RefusesWhatItCannotMeasure) {
   };
   scene::Scene paved = scene_of();
   paved.panes.clear();
-  EXPECT_EQ(message(paved, {"s.toml", 1, {}}),
-            "s.toml: expected one or more tables [[pane]] to measure, got none; pavements are not measured");
+  EXPECT_EQ(message(paved, {"s.toml", 1, {}}), "s.toml: expected a table [[pane]] or [[pavement]] to measure, got none");
   scene::Scene late = scene_of();
   late.seed = 9223372036854775807;
   EXPECT_EQ(message(late, {"s.toml", 2, {}}),

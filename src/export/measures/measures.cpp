@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
-#include "export/measures/words.h"
+#include "export/measures/json_values.h"
+#include "export/measures/pavement_tables.h"
 
 namespace shatterpave::exporting {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using measure::Distribution;
 using measure::ImpactFigures;
 
@@ -46,23 +44,7 @@ void put(fmt::memory_buffer& out, const ImpactFigures& f) {
   fmt::format_to(at, ",{}\n", f.crossing_count);
 }
 
-// JSON has no infinity: null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json json_of(const measure::Finding& f) {
-  return {{"id", f.id},
-          {"quantity", f.quantity},
-          {"unit", f.unit},
-          {"low", number(f.low)},
-          {"high", number(f.high)},
-          {"figure", f.count > 0 ? number(f.figure) : Json(nullptr)},
-          {"standard_error", f.error > 0.0 ? number(f.error) : Json(nullptr)},
-          {"count", f.count},
-          {"counted", f.counted},
-          {"verdict", word_of(f.verdict)}};
-}
-
-Json json_of(const measure::Line& line) {
+Json line_json(const measure::Line& line) {
   return {{"points", line.count},
           {"slope", line.slope},
           {"intercept", line.intercept},
@@ -72,19 +54,13 @@ Json json_of(const measure::Line& line) {
           {"intercept_error", number(line.intercept_error)}};
 }
 
-Json json_of(const Distribution& d) {
-  return {{"count", d.count()}, {"mean", d.mean()}, {"sd", d.deviation()}, {"min", d.least()}, {"max", d.greatest()}};
-}
-
-Json json_of(const measure::Histogram& h) { return {{"low", h.low}, {"width", h.width}, {"counts", h.counts}}; }
-
-Json json_of(const measure::Summary& s) {
+Json summary_json(const measure::Summary& s) {
   Json findings = Json::array();
   for (const measure::Finding& finding : s.findings) findings.push_back(json_of(finding));
   return {{"findings", findings},
           {"radial_count", json_of(s.radial_count)},
-          {"reaching_against_radial_count", json_of(s.large_line)},
-          {"ring_radius_mm_against_radial_count", json_of(s.ring_line)},
+          {"reaching_against_radial_count", line_json(s.large_line)},
+          {"ring_radius_mm_against_radial_count", line_json(s.ring_line)},
           {"ring_radius_ratio", json_of(s.ring_ratio)},
           {"ring_radius_ratio_histogram", json_of(s.ring_ratios)},
           {"turn_deg", json_of(s.turn_deg)},
@@ -98,9 +74,14 @@ Json json_of(const measure::Summary& s) {
 }  // namespace
 
 std::vector<OutputFile> measures_files(const measure::Survey& survey) {
-  std::vector<OutputFile> files = {{survey.name + "-measures.csv", measures_csv(survey)},
-                                   {survey.name + "-measures.json", measures_json(survey)}};
-  if (has_plots()) files.push_back({survey.name + "-measures.html", measures_report(survey)});
+  std::vector<OutputFile> files;
+  if (!survey.panes.empty()) files.push_back({survey.name + "-measures.csv", measures_csv(survey)});
+  if (!survey.pavements.empty()) {
+    files.push_back({survey.name + "-measures-pavements.csv", pavements_csv(survey)});
+    files.push_back({survey.name + "-measures-stones.csv", stones_csv(survey)});
+  }
+  files.push_back({survey.name + "-measures.json", measures_json(survey)});
+  if (has_plots() && !survey.panes.empty()) files.push_back({survey.name + "-measures.html", measures_report(survey)});
   return files;
 }
 
@@ -120,13 +101,15 @@ std::string measures_json(const measure::Survey& survey) {
   Json panes = Json::array();
   for (std::size_t i = 0; i < survey.pane_names.size(); ++i) {
     Json pane = {{"name", survey.pane_names[i]}};
-    pane.update(json_of(survey.pane_summaries[i]));
+    pane.update(summary_json(survey.pane_summaries[i]));
     panes.push_back(std::move(pane));
   }
   Json radials = nullptr;
   if (survey.sweep) radials = {survey.sweep->low, survey.sweep->high};
   Json law = nullptr;
   if (survey.count_law) law = {{"mean", survey.count_law->mean}, {"dispersion", survey.count_law->dispersion}};
+  Json pavements = Json::array();
+  for (const measure::SurveyedPavement& pavement : survey.pavements) pavements.push_back(pavement_json(pavement));
   const Json document = {{"format", "shatterpave-measures"},
                          {"version", 1},
                          {"scene", survey.name},
@@ -134,8 +117,9 @@ std::string measures_json(const measure::Survey& survey) {
                          {"seeds", survey.seed_count},
                          {"radials", radials},
                          {"radial_count_law", law},
-                         {"all", json_of(survey.summary)},
-                         {"panes", panes}};
+                         {"all", survey.panes.empty() ? Json(nullptr) : summary_json(survey.summary)},
+                         {"panes", panes},
+                         {"pavements", pavements}};
   return document.dump(1) + "\n";
 }
 

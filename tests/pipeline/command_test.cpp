@@ -215,7 +215,8 @@ TEST_F(Command, WrongUsageOfMeasureEndsWithTwoAndWritesNothing) {
     expect({"s.toml", "-o", "out", "--seeds", "3", "--radials", radials},
            std::string("shatterpave: --radials: expected LOW..HIGH, whole numbers from 1 to 10000, got \"") + radials + "\"");
   }
-  expect({"path.toml", "-o", "out", "--seeds", "3"}, "path.toml: expected one or more tables [[pane]] to measure");
+  expect({"path.toml", "-o", "out", "--radials", "24..90"},
+         "path.toml: expected one or more tables [[pane]] for --radials, got none");
   expect({"none.toml", "-o", "out", "--seeds", "3"}, "none.toml: expected a file");
 }
 

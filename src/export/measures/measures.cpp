@@ -76,11 +76,11 @@ Json summary_json(const measure::Summary& s) {
 std::vector<OutputFile> measures_files(const measure::Survey& survey) {
   std::vector<OutputFile> files;
   if (!survey.panes.empty()) files.push_back({survey.name + "-measures.csv", measures_csv(survey)});
+  files.push_back({survey.name + "-measures.json", measures_json(survey)});
   if (!survey.pavements.empty()) {
     files.push_back({survey.name + "-measures-pavements.csv", pavements_csv(survey)});
     files.push_back({survey.name + "-measures-stones.csv", stones_csv(survey)});
   }
-  files.push_back({survey.name + "-measures.json", measures_json(survey)});
   if (has_plots() && !survey.panes.empty()) files.push_back({survey.name + "-measures.html", measures_report(survey)});
   return files;
 }

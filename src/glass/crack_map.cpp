@@ -19,8 +19,8 @@ using geometry::Side;
 
 namespace {
 
-// Room that a crack is given at once: as many points as most radials come to.
-constexpr std::size_t usual_point_count = 16;
+// Room that a crack is given at once: as many pieces as most radials come to.
+constexpr std::size_t usual_piece_count = 16;
 
 // Whether the segments from `shared` to `p` and from `shared` to `q` lie on each other.
 bool overlap(LatticePoint shared, LatticePoint p, LatticePoint q) {
@@ -167,20 +167,25 @@ bool CrackMap::is_barred(LatticePoint from, LatticePoint to, int impact) const {
 }
 
 int CrackMap::start(Hub hub, CrackKind kind, int impact, CrackEnd::At start) {
-  const HubRecord& origin = hubs_[static_cast<std::size_t>(hub)];
   const int crack = static_cast<int>(cracks_.size());
-  Record fresh;
+  Record& fresh = cracks_.push_back({});
   fresh.kind = kind;
   fresh.impact = impact;
+  fresh.hub = hub;
   fresh.node = graph_.add();
-  fresh.points.reserve(usual_point_count);
-  fresh.segments.reserve(usual_point_count);
-  fresh.points.push_back(origin.at);
-  fresh.start = {start, std::nullopt};
+  fresh.pieces.reserve(usual_piece_count);
+  fresh.start = start;
   crack_of_node_.push_back(crack);
-  graph_.connect(fresh.node, origin.node, origin.at);
-  cracks_.push_back(std::move(fresh));
+  graph_.connect(fresh.node, hubs_[static_cast<std::size_t>(hub)].node, origin(fresh));
   return crack;
+}
+
+std::vector<LatticePoint> CrackMap::points(int crack) const {
+  const Record& asked = record(crack);
+  std::vector<LatticePoint> result{origin(asked)};
+  result.reserve(asked.pieces.size() + 1);
+  for (const int piece : asked.pieces) result.push_back(segment(piece).b);
+  return result;
 }
 
 // What is in the way, in the order in which it is met.
@@ -227,19 +232,18 @@ bool CrackMap::can_join(LatticePoint from, LatticePoint joint, int met) const {
 
 std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to) {
   ENSURE(record(crack).growing);
-  const LatticePoint from = record(crack).points.back();
+  const LatticePoint from = tip(crack);
   if (from == to) return std::nullopt;
   const std::vector<Hit> in_the_way = hits(from, to);
   if (in_the_way.empty()) {
-    record(crack).points.push_back(to);
-    record(crack).segments.push_back(index_.add({from, to, crack}));
+    record(crack).pieces.push_back(index_.add({from, to, crack}));
     return std::nullopt;
   }
   const vec2 start{static_cast<double>(from.x), static_cast<double>(from.y)};
   const vec2 way{static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)};
   for (const Hit& hit : in_the_way) {
     // To end where it is, it must have a length, and meet more than its own last piece.
-    const bool can_stay = !record(crack).segments.empty() && record(crack).segments.back() != hit.segment;
+    const bool can_stay = !pieces(crack).empty() && pieces(crack).back() != hit.segment;
     for (const LatticePoint joint : candidate_joints(start + hit.share * way, index_.segment(hit.segment))) {
       if ((joint != from || can_stay) && can_join(from, joint, hit.segment)) return join(crack, joint, hit.segment);
     }
@@ -263,10 +267,7 @@ int CrackMap::ended_at(LatticePoint at, int but) const {
 Arrest CrackMap::join(int crack, LatticePoint joint, int met) {
   Record& ending = record(crack);
   const Segment segment = index_.segment(met);
-  if (joint != ending.points.back()) {
-    ending.segments.push_back(index_.add({ending.points.back(), joint, crack}));
-    ending.points.push_back(joint);
-  }
+  if (const LatticePoint from = tip(crack); joint != from) ending.pieces.push_back(index_.add({from, joint, crack}));
   ending.growing = false;
   const bool at_edge = segment.owner == edge_owner;
   const int touched = at_edge ? ended_at(joint, crack) : segment.owner;
@@ -276,7 +277,7 @@ Arrest CrackMap::join(int crack, LatticePoint joint, int met) {
   Arrest arrest{ending.end, closed_region(crack, touched)};
   Record& other = record(touched);
   graph_.connect(ending.node, other.node, joint);
-  if (other.growing && other.points.back() == joint) {
+  if (other.growing && tip(touched) == joint) {
     other.growing = false;
     other.end = {CrackEnd::At::crack, crack};
   }
@@ -293,20 +294,19 @@ void CrackMap::stop(int crack, CrackEnd::At at) {
 // Leads the crack that owns the segment through `point`.
 void CrackMap::insert_vertex(int segment, LatticePoint point) {
   const Segment old = index_.segment(segment);
-  Record& owner = record(old.owner);
-  const auto place = std::ranges::find(owner.segments, segment) - owner.segments.begin();
-  ENSURE(place < std::ssize(owner.segments));
+  std::vector<int>& pieces = record(old.owner).pieces;
+  const auto place = std::ranges::find(pieces, segment);
+  ENSURE(place != pieces.end());
   index_.remove(segment);
-  owner.segments[static_cast<std::size_t>(place)] = index_.add({old.a, point, old.owner});
-  owner.segments.insert(owner.segments.begin() + place + 1, index_.add({point, old.b, old.owner}));
-  owner.points.insert(owner.points.begin() + place + 1, point);
+  *place = index_.add({old.a, point, old.owner});
+  pieces.insert(place + 1, index_.add({point, old.b, old.owner}));
 }
 
 // Adds to `border` the vertices of the node between two points on it: after `from`, up to and with `to`.
 void CrackMap::walk(int node, LatticePoint from, LatticePoint to, std::vector<LatticePoint>& border) const {
   const int crack = crack_of_node_[static_cast<std::size_t>(node)];
   if (crack < 0) return;  // a hub is one point
-  const std::vector<LatticePoint>& points = record(crack).points;
+  const std::vector<LatticePoint> points = this->points(crack);
   auto here = std::ranges::find(points, from);
   const auto there = std::ranges::find(points, to);
   ENSURE(here != points.end() && there != points.end());
@@ -320,18 +320,19 @@ void CrackMap::walk(int node, LatticePoint from, LatticePoint to, std::vector<La
 // another to where it ended. Its ending splits one region in two. If that was not closed before, one of the two is the open
 // rest, which no way along cracks surrounds, so any way back has the newly closed one inside.
 std::vector<LatticePoint> CrackMap::closed_region(int crack, int met) {
-  const Record& ending = record(crack);
-  const LatticePoint joint = ending.points.back();
+  const LatticePoint joint = tip(crack);
   if (crack == met) {
-    return {std::ranges::find(ending.points, joint), ending.points.end() - 1};
+    const std::vector<LatticePoint> loop = points(crack);
+    return {std::ranges::find(loop, joint), loop.end() - 1};
   }
+  const int start = record(crack).node;
   const int goal = record(met).node;
-  if (!graph_.connected(ending.node, goal)) return {};
+  if (!graph_.connected(start, goal)) return {};
   std::vector<LatticePoint> border;
-  border.reserve(4 * usual_point_count);
-  int node = ending.node;
+  border.reserve(4 * usual_piece_count);
+  int node = start;
   LatticePoint at = joint;
-  for (const ContactGraph::Contact& step : graph_.way(ending.node, goal)) {
+  for (const ContactGraph::Contact& step : graph_.way(start, goal)) {
     walk(node, at, step.at, border);
     node = step.node;
     at = step.at;
@@ -344,16 +345,17 @@ std::vector<Crack> CrackMap::cracks() const {
   std::vector<int> ids(cracks_.size(), -1);
   int next = 0;
   for (std::size_t i = 0; i < cracks_.size(); ++i) {
-    if (cracks_[i].points.size() > 1) ids[i] = next++;
+    if (!cracks_[i].pieces.empty()) ids[i] = next++;
   }
   std::vector<Crack> result;
   result.reserve(static_cast<std::size_t>(next));
   for (std::size_t i = 0; i < cracks_.size(); ++i) {
     const Record& record = cracks_[i];
     if (ids[i] < 0) continue;
-    Crack crack{ids[i], record.impact, record.kind, {}, record.start, record.end};
-    crack.points_mm.reserve(record.points.size());
-    for (const LatticePoint point : record.points) crack.points_mm.push_back(geometry::to_mm(point));
+    Crack crack{ids[i], record.impact, record.kind, {}, {record.start, std::nullopt}, record.end};
+    crack.points_mm.reserve(record.pieces.size() + 1);
+    crack.points_mm.push_back(geometry::to_mm(origin(record)));
+    for (const int piece : record.pieces) crack.points_mm.push_back(geometry::to_mm(segment(piece).b));
     if (crack.end.crack) crack.end.crack = ids[static_cast<std::size_t>(*crack.end.crack)];
     result.push_back(std::move(crack));
   }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/growing_store.h"
 #include "geometry/lattice.h"
 #include "geometry/polygon.h"
 #include "geometry/segment_index.h"
@@ -59,8 +60,14 @@ class CrackMap {
   bool is_growing(int crack) const { return record(crack).growing; }
   CrackKind kind(int crack) const { return record(crack).kind; }
   int impact(int crack) const { return record(crack).impact; }
-  geometry::LatticePoint tip(int crack) const { return record(crack).points.back(); }
-  std::span<const geometry::LatticePoint> points(int crack) const { return record(crack).points; }
+  geometry::LatticePoint tip(int crack) const {
+    const Record& asked = record(crack);
+    return asked.pieces.empty() ? origin(asked) : segment(asked.pieces.back()).b;
+  }
+  // The numbers of its segments, from its start to its tip: each begins where the one before ends.
+  std::span<const int> pieces(int crack) const { return record(crack).pieces; }
+  // Its start, and the end of each of its pieces.
+  std::vector<geometry::LatticePoint> points(int crack) const;
 
   // All cracks, in the order in which they started, but those that had no room for a second point.
   std::vector<Crack> cracks() const;
@@ -71,11 +78,11 @@ class CrackMap {
   struct Record {
     CrackKind kind = CrackKind::radial;
     int impact = 0;
+    Hub hub = 0;   // where it starts
     int node = 0;  // in the graph of contacts
     bool growing = true;
-    std::vector<geometry::LatticePoint> points;
-    std::vector<int> segments;  // numbers in the index: segments[i] joins points[i] and points[i + 1]
-    CrackEnd start;
+    std::vector<int> pieces;
+    CrackEnd::At start = CrackEnd::At::impact;
     CrackEnd end;
   };
   struct HubRecord {
@@ -89,6 +96,7 @@ class CrackMap {
 
   const Record& record(int crack) const { return cracks_[static_cast<std::size_t>(crack)]; }
   Record& record(int crack) { return cracks_[static_cast<std::size_t>(crack)]; }
+  geometry::LatticePoint origin(const Record& record) const { return hubs_[static_cast<std::size_t>(record.hub)].at; }
   bool is_edge(int segment) const;
   bool is_taken(geometry::LatticePoint at, int except) const;
 
@@ -105,7 +113,7 @@ class CrackMap {
   geometry::Polygon outline_;
   geometry::SegmentIndex index_;
   ContactGraph graph_;
-  std::vector<Record> cracks_;
+  geometry::GrowingStore<Record> cracks_;
   std::vector<HubRecord> hubs_;
   std::set<geometry::LatticePoint> hub_places_;
   std::vector<int> crack_of_node_;  // −1 for a hub

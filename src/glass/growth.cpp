@@ -100,9 +100,9 @@ constexpr double most_steps_across = 1e6;
 
 class PaneGrowth {
  public:
-  PaneGrowth(const Pane& pane, std::uint64_t seed);
-  void strike(int impact);
-  CrackNetwork network() const { return {counts_, map_.cracks()}; }
+  // Cracks go into `map`.
+  PaneGrowth(const Pane& pane, std::uint64_t seed, CrackMap& map);
+  ImpactCounts strike(int impact);
 
  private:
   ImpactState initial_state(int impact);
@@ -131,11 +131,10 @@ class PaneGrowth {
   double step_mm_;
   double longest_mm_;
   geometry::SectorShape sight_;
-  CrackMap map_;
+  CrackMap& map_;
   // For F2 on radials, with wider cells than those of the map; it need not know of vertices that were inserted later.
   SegmentIndex edge_;
   SegmentIndex obstacles_;  // ring cracks, and all cracks of earlier impacts
-  std::vector<ImpactCounts> counts_;
 };
 
 double diagonal(const geometry::Polygon& outline) {
@@ -146,14 +145,14 @@ double diagonal(const geometry::Polygon& outline) {
 // Cells of the indexes for F2.
 double cell_of_walls(const Growth& growth) { return 0.5 * growth.sector_radius * px_mm; }
 
-PaneGrowth::PaneGrowth(const Pane& pane, std::uint64_t seed)
+PaneGrowth::PaneGrowth(const Pane& pane, std::uint64_t seed, CrackMap& map)
     : pane_(pane),
       growth_(pane.growth),
       seed_(seed),
       step_mm_(pane.growth.step_length * px_mm),
       longest_mm_(most_diagonals * diagonal(pane.outline_mm)),
       sight_(pane.growth.sector_angle, pane.growth.sector_radius * px_mm),
-      map_(pane.outline_mm, narrow_cell_mm),
+      map_(map),
       edge_(cell_of_walls(pane.growth)),
       obstacles_(cell_of_walls(pane.growth)) {
   for (std::size_t i = 0; i < pane.outline_mm.size(); ++i) {
@@ -169,7 +168,6 @@ ImpactState PaneGrowth::initial_state(int impact) {
   state.id = Id(pane_.name).child("impact").child(static_cast<std::uint64_t>(impact));
   state.at_mm = geometry::on_lattice(cause.at_mm);
   state.counts = drawn_counts(cause, growth_, seed_, state.id);
-  counts_.push_back(state.counts);
   // Eq. 4, 7, 8.
   const int r = state.counts.circular_count;
   const double mean_mm = growth_.ring_radius_slope_mm * state.counts.radial_count + growth_.ring_radius_offset_mm;
@@ -423,16 +421,24 @@ void PaneGrowth::settle(const ImpactState& state) {
   if (state.index + 1 == static_cast<int>(pane_.impacts.size())) return;
   for (const Tip& tip : state.tips) {
     if (tip.ring) continue;
-    const std::span<const LatticePoint> points = map_.points(tip.crack);
-    for (std::size_t i = 1; i < points.size(); ++i) obstacles_.add({points[i - 1], points[i], tip.crack});
+    for (const int piece : map_.pieces(tip.crack)) obstacles_.add(map_.segment(piece));
   }
 }
 
-void PaneGrowth::strike(int impact) {
+ImpactCounts PaneGrowth::strike(int impact) {
   ImpactState state = initial_state(impact);
   start_radials(state);
   while (!is_over(state)) go_on(state);
   settle(state);
+  return state.counts;
+}
+
+// What only growth needs is given back before the network is made, which then takes little memory that is new.
+std::vector<ImpactCounts> grow(const Pane& pane, std::uint64_t seed, CrackMap& map) {
+  PaneGrowth growth(pane, seed, map);
+  std::vector<ImpactCounts> counts;
+  for (int i = 0; i < static_cast<int>(pane.impacts.size()); ++i) counts.push_back(growth.strike(i));
+  return counts;
 }
 
 bool strictly_inside(const geometry::Polygon& outline, vec2 point) {
@@ -462,9 +468,9 @@ void check(const Pane& pane) {
 
 CrackNetwork grown_cracks(const Pane& pane, std::uint64_t seed) {
   check(pane);
-  PaneGrowth growth(pane, seed);
-  for (int i = 0; i < static_cast<int>(pane.impacts.size()); ++i) growth.strike(i);
-  return growth.network();
+  CrackMap map(pane.outline_mm, narrow_cell_mm);
+  std::vector<ImpactCounts> counts = grow(pane, seed, map);
+  return {std::move(counts), map.cracks()};
 }
 
 }  // namespace shatterpave::glass

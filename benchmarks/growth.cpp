@@ -1,7 +1,7 @@
 // What growth costs: milliseconds a pane, steps of tips, and seconds a step of a tip.
 //
 // To hold: one pane of the paper's size, M = 105, in at most 2 ms; and a step of a tip at M = 100,000 in a large pane of many
-// impacts at no more than 1.3 times what it costs at M = 100, in memory of either kind.
+// impacts at no more than 1.3 times what it costs at M = 100.
 //
 // Memory that a process touches for the first time costs it a page fault for every 4 KiB, some microseconds each, a good part
 // of all that a pane takes. Left to itself, the C library keeps the memory of small panes from one round to the next, but gives

@@ -64,14 +64,14 @@ class Wandering {
   }
   CrackFaces faces() const {
     std::vector<CrackFaces::Polyline> polylines;
-    for (const int crack : cracks_) polylines.emplace_back(map_.points(crack).begin(), map_.points(crack).end());
+    for (const int crack : cracks_) polylines.push_back(map_.points(crack));
     return CrackFaces(polylines);
   }
   std::vector<bool> surrounded() const {
     const CrackFaces all = faces();
     std::vector<bool> result;
     for (const int crack : cracks_) {
-      result.push_back(map_.is_growing(crack) && map_.points(crack).size() > 1 && all.surround(map_.tip(crack)));
+      result.push_back(map_.is_growing(crack) && !map_.pieces(crack).empty() && all.surround(map_.tip(crack)));
     }
     return result;
   }
@@ -82,7 +82,7 @@ class Wandering {
     const std::vector<bool> after = surrounded();
     std::vector<std::string> found;
     for (std::size_t i = 0; i < cracks_.size(); ++i) {
-      if (!map_.is_growing(cracks_[i]) || map_.points(cracks_[i]).size() < 2 || before[i]) continue;
+      if (!map_.is_growing(cracks_[i]) || map_.pieces(cracks_[i]).empty() || before[i]) continue;
       const bool inside = !region.empty() && geometry::contains(region, geometry::to_mm(map_.tip(cracks_[i])));
       if (inside && !after[i]) found.emplace_back("a tip within the region that nothing surrounds");
       if (!inside && after[i]) found.emplace_back("a tip that is surrounded but not within the region");

@@ -75,6 +75,10 @@ std::vector<Region> intersection(const Polygon& subject, const Region& clip) {
   return combined(ClipperLib::ctIntersection, {wound_path_of(subject, true)}, paths_of(clip));
 }
 
+std::vector<Region> intersection(const Region& subject, const Region& clip) {
+  return combined(ClipperLib::ctIntersection, paths_of(subject), paths_of(clip));
+}
+
 std::vector<Region> difference(const Region& subject, const std::vector<Polygon>& removed) {
   Paths clip;
   for (const Polygon& polygon : removed) clip.push_back(wound_path_of(polygon, true));

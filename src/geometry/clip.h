@@ -13,6 +13,7 @@
 namespace shatterpave::geometry {
 
 std::vector<Region> intersection(const Polygon& subject, const Region& clip);
+std::vector<Region> intersection(const Region& subject, const Region& clip);
 std::vector<Region> difference(const Region& subject, const std::vector<Polygon>& removed);
 std::vector<Region> difference(const Region& subject, const std::vector<Region>& removed);
 std::vector<Region> united(const std::vector<Polygon>& polygons);

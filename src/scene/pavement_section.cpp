@@ -157,32 +157,14 @@ void append_pavements(const TomlTable& table, Plans& plans, Names& names, std::v
 
 std::vector<paving::Pavement> pavements_of(const TomlTable& root, Plans& plans, Names& names) {
   std::vector<paving::Pavement> pavements;
-  for (const TomlTable& table : root.tables("pavement", most_pavements, {"name",
-                                                                         "size_mm",
-                                                                         "outline_mm",
-                                                                         "outline_file",
-                                                                         "outline_feature",
-                                                                         "outline_class",
-                                                                         "outline_width_mm",
-                                                                         "outline_units",
-                                                                         "holes_mm",
-                                                                         "holes_file",
-                                                                         "holes_feature",
-                                                                         "holes_class",
-                                                                         "holes_width_mm",
-                                                                         "stone_preset",
-                                                                         "stone_mm",
-                                                                         "joint_mm",
-                                                                         "direction",
-                                                                         "bond",
-                                                                         "bond_offset",
-                                                                         "bond_turn_deg",
-                                                                         "bond_span_mm",
-                                                                         "border_course",
-                                                                         "border_stone_mm",
-                                                                         "surface",
-                                                                         "variation",
-                                                                         "relief"})) {
+  for (const TomlTable& table :
+       root.tables("pavement", most_pavements,
+                   {"name",          "size_mm",          "outline_mm",     "outline_file",   "outline_feature",
+                    "outline_class", "outline_width_mm", "outline_units",  "holes_mm",       "holes_file",
+                    "holes_feature", "holes_class",      "holes_width_mm", "within_feature", "within_class",
+                    "stone_preset",  "stone_mm",         "joint_mm",       "direction",      "bond",
+                    "bond_offset",   "bond_turn_deg",    "bond_span_mm",   "border_course",  "border_stone_mm",
+                    "surface",       "variation",        "relief"})) {
     append_pavements(table, plans, names, pavements);
   }
   return pavements;

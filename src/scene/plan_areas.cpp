@@ -90,6 +90,16 @@ std::vector<Region> areas_of_file(const std::filesystem::path& file) {
   return areas_of(plan, shapes, frame_of(plan, shapes, std::nullopt, std::nullopt), 0.0);
 }
 
+std::vector<Region> within(const std::vector<Region>& areas, const std::vector<Region>& limits) {
+  std::vector<Region> parts;
+  for (const Region& area : areas) {
+    for (const Region& limit : of_others_near(area, limits)) {
+      for (const Region& part : geometry::intersection(area, limit)) parts.push_back(canonical(part));
+    }
+  }
+  return parts;
+}
+
 std::vector<Region> without(const std::vector<Region>& areas, const std::vector<Region>& holes) {
   std::vector<Region> left;
   for (const Region& area : areas) {

@@ -13,6 +13,9 @@ std::vector<geometry::Region> areas_of(const Plan& plan, const std::vector<std::
 // The areas of the only feature of a file, in a frame of its own.
 std::vector<geometry::Region> areas_of_file(const std::filesystem::path& file);
 
+// What of the regions lies in one of `limits`, which do not overlap.
+std::vector<geometry::Region> within(const std::vector<geometry::Region>& areas, const std::vector<geometry::Region>& limits);
+
 // The regions without what lies in `holes`, which may overlap and lie anywhere: one region may become several or none.
 std::vector<geometry::Region> without(const std::vector<geometry::Region>& areas, const std::vector<geometry::Region>& holes);
 

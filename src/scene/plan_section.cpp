@@ -21,6 +21,7 @@ struct PlanKeys {
 };
 constexpr PlanKeys outline_keys{"outline_file", "outline_feature", "outline_class", "outline_width_mm"};
 constexpr PlanKeys hole_keys{"holes_file", "holes_feature", "holes_class", "holes_width_mm"};
+constexpr PlanKeys within_keys{"outline_file", "within_feature", "within_class", ""};
 constexpr PlanKeys guide_keys{"guides_file", "guides_feature", "guides_class", ""};
 
 ShapeChoice choice_of(const TomlTable& table, const PlanKeys& keys) {
@@ -95,6 +96,11 @@ std::vector<geometry::Region> outlines_of_plan(const TomlTable& table, Plans& pl
   const PlanFrame& frame = plans.frame(plan, shapes, units_asked(table, plan));
   std::vector<geometry::Region> areas = areas_of(plan, shapes, frame, width.value_or(0.0));
   if (areas.empty()) refuse(table.place(outline_keys.file), "an outline with an area", "none");
+  const ShapeChoice limits = choice_of(table, within_keys);
+  if (limits.shapes.empty() && !limits.class_name) return areas;
+  const auto limit_shapes = chosen_shapes(plan, kinds_of(std::nullopt), limits, ByDefault::all);
+  areas = within(areas, areas_of(plan, limit_shapes, frame, 0.0));
+  if (areas.empty()) refuse(limits.place, "areas that the outline lies in", "none that it meets");
   return areas;
 }
 

@@ -22,7 +22,8 @@ std::string_view outline_key(const TomlTable& table) {
     if (!found.empty()) refuse(table.place(key), "one outline", fmt::format("{} beside {}", key, found));
     found = key;
   }
-  for (const std::string_view key : {"outline_feature", "outline_class", "outline_width_mm", "outline_units"}) {
+  for (const std::string_view key :
+       {"outline_feature", "outline_class", "outline_width_mm", "outline_units", "within_feature", "within_class"}) {
     if (table.has(key) && found != "outline_file") refuse(table.place(key), "outline_file beside it", "none");
   }
   if (table.has("holes_mm") && found == "outline_file") {

@@ -34,6 +34,15 @@ Paths paths_of(const Region& region) {
   return paths;
 }
 
+Paths paths_of(const std::vector<Region>& regions) {
+  Paths paths;
+  for (const Region& region : regions) {
+    const Paths rings = paths_of(region);
+    paths.insert(paths.end(), rings.begin(), rings.end());
+  }
+  return paths;
+}
+
 Polygon polygon_of(const Path& path) {
   Polygon polygon;
   polygon.reserve(path.size());
@@ -86,12 +95,7 @@ std::vector<Region> difference(const Region& subject, const std::vector<Polygon>
 }
 
 std::vector<Region> difference(const Region& subject, const std::vector<Region>& removed) {
-  Paths clip;
-  for (const Region& region : removed) {
-    const Paths paths = paths_of(region);
-    clip.insert(clip.end(), paths.begin(), paths.end());
-  }
-  return combined(ClipperLib::ctDifference, paths_of(subject), clip);
+  return combined(ClipperLib::ctDifference, paths_of(subject), paths_of(removed));
 }
 
 std::vector<Region> united(const std::vector<Polygon>& polygons) {
@@ -99,6 +103,8 @@ std::vector<Region> united(const std::vector<Polygon>& polygons) {
   for (const Polygon& polygon : polygons) subject.push_back(wound_path_of(polygon, true));
   return combined(ClipperLib::ctUnion, subject, {});
 }
+
+std::vector<Region> united(const std::vector<Region>& regions) { return combined(ClipperLib::ctUnion, paths_of(regions), {}); }
 
 std::vector<Region> offset(const Region& region, double distance_mm, double miter_limit) {
   ClipperLib::ClipperOffset offsetter(miter_limit);

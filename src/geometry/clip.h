@@ -17,6 +17,7 @@ std::vector<Region> intersection(const Region& subject, const Region& clip);
 std::vector<Region> difference(const Region& subject, const std::vector<Polygon>& removed);
 std::vector<Region> difference(const Region& subject, const std::vector<Region>& removed);
 std::vector<Region> united(const std::vector<Polygon>& polygons);
+std::vector<Region> united(const std::vector<Region>& regions);
 
 // The points of `region` farther than `-distance_mm` from its border (distance < 0), or those of it and nearer than
 // `distance_mm` (distance > 0). Corners are mitred where the tip lies within `miter_limit` distances, else cut square.

@@ -23,9 +23,21 @@ constexpr std::size_t most_shapes = 100'000;
   throw InputError(Place{file, 0, 0, path}, fmt::format("expected {}, got {}", expected, got));
 }
 
+std::string in_brackets(const json& array) {
+  std::string list;
+  for (const json& value : array) {
+    const bool text = value.is_string();
+    list += (list.empty() ? "" : ", ") + (text ? in_quotes(value.get_ref<const std::string&>()) : value.dump());
+  }
+  return "[" + list + "]";
+}
+
 std::string kind_of(const json& value) {
   if (value.is_string()) return fmt::format("the text {}", in_quotes(value.get_ref<const std::string&>()));
   if (value.is_number() || value.is_boolean()) return value.dump();
+  constexpr std::size_t short_array = 4;
+  if (value.is_array() && value.size() <= short_array && std::ranges::none_of(value, &json::is_structured))
+    return in_brackets(value);
   if (value.is_array()) return fmt::format("an array of {} value{}", value.size(), value.size() == 1 ? "" : "s");
   return value.is_null() ? "null" : "an object";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 #include "core/functions.h"
 #include "geometry/clip.h"
@@ -36,7 +37,7 @@ std::vector<Region> band(const Ring& ring, double width_mm) {
   return geometry::thickened({line}, 0.5 * width_mm);
 }
 
-std::vector<Region> regions_of(const PlanShape& shape, const PlanFrame& frame, double width_mm) {
+std::vector<Region> regions_of_shape(const PlanShape& shape, const PlanFrame& frame, double width_mm) {
   std::vector<Ring> rings;
   for (const Ring& ring : shape.rings) rings.push_back(frame(ring));
   if (shape.kind == ShapeKind::line) return band(rings.front(), width_mm);
@@ -47,14 +48,44 @@ std::vector<Region> regions_of(const PlanShape& shape, const PlanFrame& frame, d
   return {region_of(outline, rings)};
 }
 
-bool boxes_meet(const Region& a, const Region& b) {
-  return geometry::boxes_meet(geometry::bounding_box(a.outline), geometry::bounding_box(b.outline));
+std::vector<geometry::Box> boxes_of(const std::vector<Region>& regions) {
+  std::vector<geometry::Box> boxes;
+  boxes.reserve(regions.size());
+  for (const Region& region : regions) boxes.push_back(geometry::bounding_box(region.outline));
+  return boxes;
 }
 
-std::vector<Region> of_others_near(const Region& region, const std::vector<Region>& others) {
+// Those of `others` whose boxes meet that of the region.
+std::vector<Region> near_ones(const Region& region, const std::vector<Region>& others,
+                              const std::vector<geometry::Box>& boxes) {
+  const geometry::Box box = geometry::bounding_box(region.outline);
   std::vector<Region> near;
-  std::ranges::copy_if(others, std::back_inserter(near), [&](const Region& other) { return boxes_meet(region, other); });
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (geometry::boxes_meet(box, boxes[i])) near.push_back(others[i]);
+  }
   return near;
+}
+
+// Whether no two regions have more than single points in common.
+bool are_apart(const std::vector<Region>& regions) {
+  if (regions.size() < 2) return true;
+  // As the holes of a region about all of them; what lies in a hole of one is taken for an overlap.
+  const double far = geometry::largest_coordinate_mm + 1000.0;
+  std::vector<Polygon> outlines;
+  for (const Region& region : regions) outlines.push_back(region.outline);
+  return !geometry::region_fault({{-far, -far}, {far, -far}, {far, far}, {-far, far}}, outlines);
+}
+
+// The union. Parts that are near each other are united first: what lies inside a union no longer counts, so many regions piled
+// on each other take no longer than as many side by side.
+std::vector<Region> united_by_halves(std::vector<Region> regions) {
+  constexpr std::size_t few = 32;
+  if (regions.size() <= few) return geometry::united(regions);
+  const auto half = regions.begin() + static_cast<std::ptrdiff_t>(regions.size() / 2);
+  std::vector<Region> left = united_by_halves({regions.begin(), half});
+  std::vector<Region> right = united_by_halves({half, regions.end()});
+  std::ranges::move(right, std::back_inserter(left));
+  return geometry::united(left);
 }
 
 // Holes that make a region as they are keep all vertices; others are cut out.
@@ -65,35 +96,66 @@ std::vector<Region> without_near(const Region& area, const std::vector<Region>& 
     for (const Region& hole : near) holes.push_back(hole.outline);
     if (!geometry::region_fault(area.outline, holes)) return {canonical({area.outline, std::move(holes)})};
   }
-  return geometry::difference(area, near);
+  return geometry::difference(area, merged(near));
+}
+
+// The order of the region that holds a point of a part, part after part.
+std::vector<std::size_t> by_first_part(const std::vector<Region>& regions, const std::vector<Region>& parts) {
+  const std::vector<geometry::Box> boxes = boxes_of(regions);
+  std::vector<std::size_t> order;
+  std::vector<bool> listed(regions.size(), false);
+  for (const Region& part : parts) {
+    const vec2 vertex = part.outline.front();
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      if (listed[i] || !geometry::boxes_meet(boxes[i], {vertex, vertex})) continue;
+      if (!geometry::contains(regions[i].outline, vertex)) continue;
+      listed[i] = true;
+      order.push_back(i);
+    }
+  }
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    if (!listed[i]) order.push_back(i);
+  }
+  return order;
 }
 
 }  // namespace
 
-std::vector<Region> areas_of(const Plan& plan, const std::vector<std::size_t>& shapes, const PlanFrame& frame,
-                             double width_mm) {
-  std::vector<Region> areas;
+std::vector<Region> regions_of(const Plan& plan, const std::vector<std::size_t>& shapes, const PlanFrame& frame,
+                               double width_mm) {
+  std::vector<Region> regions;
   for (const std::size_t shape : shapes) {
-    for (const Region& region : regions_of(plan.shapes[shape], frame, width_mm)) {
-      std::vector<Region> before = of_others_near(region, areas);
-      std::erase_if(before, [&](const Region& other) { return geometry::intersection(other.outline, region).empty(); });
-      const std::vector<Region> added = before.empty() ? std::vector{region} : geometry::difference(region, before);
-      for (const Region& part : added) areas.push_back(canonical(part));
-    }
+    for (Region& region : regions_of_shape(plan.shapes[shape], frame, width_mm))
+      regions.push_back(canonical(std::move(region)));
   }
-  return areas;
+  return regions;
+}
+
+std::vector<Region> merged(const std::vector<Region>& regions) {
+  if (are_apart(regions)) return regions;
+  std::vector<std::size_t> from_left(regions.size());
+  std::iota(from_left.begin(), from_left.end(), std::size_t{0});
+  std::ranges::stable_sort(from_left, {}, [&](std::size_t i) { return regions[i].outline.front().x; });
+  std::vector<Region> sorted;
+  for (const std::size_t i : from_left) sorted.push_back(regions[i]);
+  std::vector<Region> all = united_by_halves(std::move(sorted));
+  for (Region& region : all) region = canonical(std::move(region));
+  std::vector<Region> result;
+  for (const std::size_t i : by_first_part(all, regions)) result.push_back(std::move(all[i]));
+  return result;
 }
 
 std::vector<Region> areas_of_file(const std::filesystem::path& file) {
   const Plan plan = plan_of_file(file, Place{file.string(), 0, 0, ""});
   const auto shapes = chosen_shapes(plan, {ShapeKind::area}, {}, ByDefault::the_only_feature);
-  return areas_of(plan, shapes, frame_of(plan, shapes, std::nullopt, std::nullopt), 0.0);
+  return merged(regions_of(plan, shapes, frame_of(plan, shapes, std::nullopt, std::nullopt), 0.0));
 }
 
 std::vector<Region> within(const std::vector<Region>& areas, const std::vector<Region>& limits) {
+  const std::vector<geometry::Box> boxes = boxes_of(limits);
   std::vector<Region> parts;
   for (const Region& area : areas) {
-    for (const Region& limit : of_others_near(area, limits)) {
+    for (const Region& limit : near_ones(area, limits, boxes)) {
       for (const Region& part : geometry::intersection(area, limit)) parts.push_back(canonical(part));
     }
   }
@@ -101,9 +163,10 @@ std::vector<Region> within(const std::vector<Region>& areas, const std::vector<R
 }
 
 std::vector<Region> without(const std::vector<Region>& areas, const std::vector<Region>& holes) {
+  const std::vector<geometry::Box> boxes = boxes_of(holes);
   std::vector<Region> left;
   for (const Region& area : areas) {
-    for (const Region& part : without_near(area, of_others_near(area, holes))) left.push_back(canonical(part));
+    for (const Region& part : without_near(area, near_ones(area, holes, boxes))) left.push_back(canonical(part));
   }
   return left;
 }

@@ -163,7 +163,7 @@ const std::string polygon =
 void first_areas(const Plan& plan) {
   const auto shapes =
       chosen_shapes(plan, {ShapeKind::area, ShapeKind::line, ShapeKind::point}, {}, ByDefault::the_only_feature);
-  areas_of(plan, shapes, frame_of(plan, shapes, std::nullopt, std::nullopt), 100.0);
+  merged(regions_of(plan, shapes, frame_of(plan, shapes, std::nullopt, std::nullopt), 100.0));
 }
 
 TEST(Fuzz, ScenesOrInputErrors) {

@@ -29,7 +29,7 @@ std::vector<Region> areas_wanted(const Plan& plan, Wanted wanted) {
   std::vector<ShapeKind> kinds = {ShapeKind::area};
   if (wanted.width_mm > 0.0) kinds = {ShapeKind::area, ShapeKind::line, ShapeKind::point};
   const auto shapes = chosen_shapes(plan, kinds, wanted.choice, ByDefault::the_only_feature);
-  return areas_of(plan, shapes, frame_of(plan, shapes, wanted.units, wanted.origin), wanted.width_mm);
+  return merged(regions_of(plan, shapes, frame_of(plan, shapes, wanted.units, wanted.origin), wanted.width_mm));
 }
 
 Region the_only(const std::vector<Region>& regions) {
@@ -128,7 +128,7 @@ TEST(GeoJson, ErrorsNameFileAndPath) {
   const std::string start = R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)";
   EXPECT_EQ(error("{\n\"type\":,"), "a.geojson:2:8: expected JSON, got a syntax error");
   EXPECT_EQ(error(""), "a.geojson:1:1: expected JSON, got a syntax error");
-  EXPECT_EQ(error("[]"), "a.geojson: expected a GeoJSON object, got an array of 0 values");
+  EXPECT_EQ(error("[]"), "a.geojson: expected a GeoJSON object, got []");
   EXPECT_EQ(error("{}"), "a.geojson: expected an object with a \"type\", got none");
   EXPECT_EQ(error(R"({"type":"Circle"})"), "a.geojson: type: expected a type of GeoJSON, got \"Circle\"");
   EXPECT_EQ(error(R"({"type":"Point","coordinates":[0,0]})"), "a.geojson: expected a polygon, got none");
@@ -136,7 +136,7 @@ TEST(GeoJson, ErrorsNameFileAndPath) {
   EXPECT_EQ(error(start + R"({"type":"Polygon"}}]})"),
             "a.geojson: features[0].geometry.coordinates: expected an array, got none");
   EXPECT_EQ(error(start + R"({"type":"Polygon","coordinates":[[[0,0],[300,0],[300,"x"]]]}}]})"),
-            "a.geojson: features[0].geometry.coordinates[0][2]: expected a position [x, y], got an array of 2 values");
+            "a.geojson: features[0].geometry.coordinates[0][2]: expected a position [x, y], got [300, \"x\"]");
   EXPECT_EQ(error(start + R"({"type":"Polygon","coordinates":[[[0,0],[300,300],[300,0],[0,300]]]}}]})"),
             "a.geojson: features[0].geometry.coordinates[0]: expected edges that do not cross, got edge 0 of the outline and "
             "edge 2 of the "
@@ -409,12 +409,13 @@ TEST(GeoJson, AcrossTheAntimeridian) {
     return R"({"type":"Polygon","coordinates":[[[)" + east + ",10],[" + west + ",10],[" + west + ",10.001]]]}";
   };
   EXPECT_EQ(geojson(text("179.999", "-179.999")).outline, geojson(text("0.999", "1.001")).outline);
-  // As RFC 7946 wants it: cut in two.
-  const auto parts =
-      geojson_areas(R"({"type":"MultiPolygon","coordinates":[[[[179.999,10],[180,10],[180,10.001],[179.999,10.001]]],)"
-                    R"([[[-180,10],[-179.999,10],[-179.999,10.001],[-180,10.001]]]]})");
-  ASSERT_EQ(parts.size(), 2U);
-  EXPECT_EQ(parts[0].outline[1], parts[1].outline[0]);
+  // As RFC 7946 wants it: cut in two, which are one again.
+  const Region joined =
+      geojson(R"({"type":"MultiPolygon","coordinates":[[[[179.999,10],[180,10],[180,10.001],[179.999,10.001]]],)"
+              R"([[[-180,10],[-179.999,10],[-179.999,10.001],[-180,10.001]]]]})");
+  EXPECT_EQ(joined.outline.size(), 4U);
+  const geometry::Box box = geometry::bounding_box(joined.outline);
+  EXPECT_NEAR(box.high.x - box.low.x, 219'258.0, 50.0);  // 0.002° of longitude at latitude 10°, as above
 }
 
 TEST(GeoJson, TakesReferenceSystemsAtTheirWord) {
@@ -448,13 +449,24 @@ TEST(PlanAreas, LinesAreBandsAndPointsAreDiscs) {
   EXPECT_NEAR(geometry::area(tree), std::acos(-1.0) * 1e6, 2 * std::acos(-1.0) * 1000.0 * svg_tolerance_mm);
 }
 
-TEST(PlanAreas, OverlapsAreCountedOnce) {
+TEST(PlanAreas, WhatOverlapsOrAdjoinsIsOneArea) {
   const auto areas = svg_areas(
-      R"(<g id="g"><rect width="100" height="100"/><rect x="50" width="100" height="100"/><rect width="100" height="100"/></g>)",
+      R"(<g id="g"><rect x="500" width="9" height="9"/><rect width="100" height="100"/><rect x="50" width="100" height="100"/>)"
+      R"(<rect width="100" height="100"/><rect x="150" width="50" height="100"/><rect x="200" y="100" width="9" height="9"/></g>)",
+      mm_page, by_id("g"));
+  ASSERT_EQ(areas.size(), 3U);  // in the order of the file, and apart where they touch in a point
+  EXPECT_EQ(areas[0].outline, rectangle({500, 991}, {509, 1000}));
+  EXPECT_EQ(areas[1].outline, rectangle({0, 900}, {200, 1000}));
+  EXPECT_EQ(areas[2].outline, rectangle({200, 891}, {209, 900}));
+}
+
+TEST(PlanAreas, AnIslandInAHoleStaysApart) {
+  const auto areas = svg_areas(
+      R"(<g id="g"><path fill-rule="evenodd" d="M0 0h90v90h-90z M20 20h50v50h-50z"/><rect x="40" y="40" width="9" height="9"/></g>)",
       mm_page, by_id("g"));
   ASSERT_EQ(areas.size(), 2U);
-  EXPECT_EQ(areas[0].outline, rectangle({0, 900}, {100, 1000}));
-  EXPECT_EQ(areas[1].outline, rectangle({100, 900}, {150, 1000}));
+  EXPECT_EQ(areas[0].holes.size(), 1U);
+  EXPECT_EQ(geometry::area(areas[1]), 81.0);
 }
 
 TEST(PlanAreas, HolesMayLieAnyhow) {

@@ -22,6 +22,8 @@ constexpr double most_nodes = 4e6;
 constexpr int sweeps = 12;
 // How many times more than its neighbours a node beside a line heeds the line; by eye: the first row is straight.
 constexpr double line_weight = 20.0;
+// Runs of sides shorter than this have no rows of their own; in pitches, by eye.
+constexpr double least_run_pitches = 4.0;
 // Lines that meet in a node at odd angles cancel; below this length of their mean they say nothing.
 constexpr double least_agreement = 0.3;
 
@@ -173,6 +175,20 @@ geometry::Box field_box(const geometry::RegionIndex& area, const std::vector<Seg
   return box;
 }
 
+// The direction of a zone: straight rows where all its sides lie on one line, else the sides as guides.
+Direction zone_direction(const std::vector<Segment>& sides) {
+  const vec2 axis = unit(sides.front().to - sides.front().from, along_x);
+  const auto on_line = [&](const Segment& side) {
+    constexpr double rounding_mm = 0.01;
+    return std::abs(cross(axis, side.from - sides.front().from)) < rounding_mm &&
+           std::abs(cross(axis, side.to - sides.front().from)) < rounding_mm;
+  };
+  if (std::ranges::all_of(sides, on_line)) return ConstantDirection{Angle::of(axis)};
+  GuidesDirection guides;
+  for (const Segment& side : sides) guides.guides_mm.push_back({side.from, side.to});
+  return guides;
+}
+
 }  // namespace
 
 DirectionField::DirectionField(const Pavement& pavement, const geometry::RegionIndex& area)
@@ -180,6 +196,30 @@ DirectionField::DirectionField(const Pavement& pavement, const geometry::RegionI
   const bool plain =
       std::holds_alternative<ConstantDirection>(direction_) || std::holds_alternative<RadialDirection>(direction_);
   if (plain) return;
+  if (std::holds_alternative<BoundaryDirection>(direction_) && !is_cross()) {
+    const vec2 pitch = pitch_mm(pavement);
+    const BorderZones parts = border_zones(pavement.area, area, least_run_pitches * std::max(pitch.x, pitch.y));
+    if (parts.areas.size() > 1) {
+      part(pavement, area, parts);
+      return;
+    }
+  }
+  solve(pavement, area);
+}
+
+void DirectionField::part(const Pavement& pavement, const geometry::RegionIndex& area, const BorderZones& parts) {
+  std::vector<std::vector<Segment>> sides(parts.areas.size());
+  for (std::size_t s = 0; s < area.segments().size(); ++s) sides[parts.of_segment[s]].push_back(area.segments()[s]);
+  for (std::size_t z = 0; z < sides.size(); ++z) {
+    Pavement zone = pavement;
+    zone.direction = zone_direction(sides[z]);
+    zones_.push_back({parts.areas[z], zone.direction, DirectionField(zone, area)});
+  }
+  border_ = area;
+  zone_of_segment_ = parts.of_segment;
+}
+
+void DirectionField::solve(const Pavement& pavement, const geometry::RegionIndex& area) {
   const auto lines = followed_lines(direction_, area);
   if (lines.empty()) throw InputError("guides: expected at least one polyline of two distinct points");
   const vec2 pitch = pitch_mm(pavement);
@@ -211,6 +251,7 @@ vec2 DirectionField::sampled(vec2 place) const {
 vec2 DirectionField::axis(vec2 place) const {
   if (const auto* constant = std::get_if<ConstantDirection>(&direction_)) return constant->angle.direction();
   if (const auto* radial = std::get_if<RadialDirection>(&direction_)) return unit(left_of(place - radial->centre_mm), along_x);
+  if (border_) return zones_[zone_of_segment_[border_->nearest(place).segment]].field.axis(place);
   const vec2 half = halved(sampled(place));
   return fold_ == 4 ? halved(half) : half;
 }
@@ -218,7 +259,8 @@ vec2 DirectionField::axis(vec2 place) const {
 Angle DirectionField::angle(vec2 place) const {
   vec2 direction = axis(place);
   if (direction.x < 0.0 || (direction.x == 0.0 && direction.y < 0.0)) direction = -direction;
-  return Angle::of(direction);
+  const Angle angle = Angle::of(direction);
+  return angle.degrees() > -90.0 ? angle : Angle::degrees(90.0);  // straight down but for rounding
 }
 
 }  // namespace shatterpave::paving

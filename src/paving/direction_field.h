@@ -4,13 +4,16 @@
 // Along the outline, the holes or the guides the rows follow them; between them the direction is the smoothest that agrees
 // with them (it solves Laplace's equation in the multiples of its angle). For square stones rows and columns are alike, so
 // the field is a cross field, of which quarter turns mean nothing: rows along the two sides of a square corner then agree.
-// For oblong stones only half turns mean nothing.
+// For oblong stones only half turns mean nothing. Where their rows, along the border, meet at an angle, the field has a mitre
+// (border_zones.h): it is solved in each zone by itself.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/angle.h"
 #include "geometry/region_index.h"
+#include "paving/border_zones.h"
 #include "paving/pavement.h"
 
 namespace shatterpave::paving {
@@ -28,6 +31,10 @@ class DirectionField {
   // Whether quarter turns mean nothing.
   bool is_cross() const { return fold_ == 4; }
 
+  // What is laid by itself: a part of the area, with a field that goes on beyond it. Empty where all of it is laid at once.
+  struct Zone;
+  const std::vector<Zone>& zones() const { return zones_; }
+
  private:
   friend class FieldGrid;
 
@@ -40,11 +47,22 @@ class DirectionField {
     std::vector<vec2> values;
   };
 
+  void solve(const Pavement& pavement, const geometry::RegionIndex& area);
+  void part(const Pavement& pavement, const geometry::RegionIndex& area, const BorderZones& parts);
   vec2 sampled(vec2 place) const;
 
   Direction direction_;
   int fold_ = 4;
   Samples samples_;
+  std::vector<Zone> zones_;
+  std::optional<geometry::RegionIndex> border_;  // where there are zones
+  std::vector<std::uint32_t> zone_of_segment_;   // of the border
+};
+
+struct DirectionField::Zone {
+  std::vector<geometry::Region> areas;
+  Direction direction;  // straight, or along guides
+  DirectionField field;
 };
 
 }  // namespace shatterpave::paving

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -100,14 +99,15 @@ struct Setting {
   std::function<Angle(const Piece&, const geometry::Polygon& face)> angle;
 };
 
-Setting packed_setting(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed) {
-  const auto field = std::make_shared<const DirectionField>(pavement, area);
-  const auto particles = packed_particles(pavement, area, *field, seed);
+// `field` must outlive what is returned.
+Setting packed_setting(const Pavement& pavement, const geometry::RegionIndex& area, const DirectionField& field,
+                       std::uint64_t seed) {
+  const auto particles = packed_particles(pavement, area, field, seed);
   Cells cells = cells_of(particles, pitch_mm(pavement));
   const bool exact = std::holds_alternative<ConstantDirection>(pavement.direction);
   if (!exact) cells = settled_cells(std::move(cells), particles, pitch_mm(pavement), area);
   return {std::move(cells),
-          [field](const Piece&, const geometry::Polygon& face) { return field->angle(geometry::centroid(face)); }};
+          [&field](const Piece&, const geometry::Polygon& face) { return field.angle(geometry::centroid(face)); }};
 }
 
 Setting bonded_setting(const std::vector<Tile>& tiles) {
@@ -139,12 +139,32 @@ void append_stones(const Setting& setting, const geometry::Region& region, const
   }
 }
 
+// The square packing, zone by zone where rows are mitred.
+void append_packing(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, StoneLayout& layout) {
+  const DirectionField field(pavement, area);
+  const StoneSize size{whole_face_mm2(pavement), pavement.joint_mm, -1.0};
+  if (field.zones().empty()) {
+    append_stones(packed_setting(pavement, area, field, seed), pavement.area, area, size, layout);
+    return;
+  }
+  for (const DirectionField::Zone& zone : field.zones()) {
+    Pavement zoned = pavement;
+    zoned.direction = zone.direction;
+    for (const geometry::Region& part : zone.areas) {
+      const geometry::RegionIndex index(part);
+      append_stones(packed_setting(zoned, index, zone.field, seed), part, index, size, layout);
+    }
+  }
+}
+
 // The bond, within the border course if there is one.
 void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, StoneLayout& layout) {
-  const bool packed = pavement.bonding.bond == Bond::packed;
-  const Setting setting = packed ? packed_setting(pavement, area, seed) : bonded_setting(bond_tiles(pavement, area, seed));
-  append_stones(setting, pavement.area, area,
-                {whole_face_mm2(pavement), pavement.joint_mm, packed ? -1.0 : rounding_mm2(pavement.stone_mm)}, layout);
+  if (pavement.bonding.bond == Bond::packed) {
+    append_packing(pavement, area, seed, layout);
+    return;
+  }
+  append_stones(bonded_setting(bond_tiles(pavement, area, seed)), pavement.area, area,
+                {whole_face_mm2(pavement), pavement.joint_mm, rounding_mm2(pavement.stone_mm)}, layout);
 }
 
 // The border course, and the bond within it.

@@ -33,8 +33,9 @@ class Candidates {
       if (has_class(plan_.shapes[shape].feature, class_name)) found.push_back(shape);
     }
     if (!found.empty()) return found;
-    throw InputError(choice_.place, fmt::format("expected a class that a {} of {} has, got {}, which none has", what_,
-                                                in_quotes(plan_.file), in_quotes(class_name)));
+    throw InputError(choice_.place,
+                     fmt::format("expected a class that a {} of {} has, got {}, which none has", what_,
+                                 in_quotes(std::filesystem::path(plan_.file).filename().string()), in_quotes(class_name)));
   }
 
   std::size_t at(std::size_t index) const {
@@ -90,7 +91,10 @@ class Candidates {
     return false;
   }
 
-  std::string of_file() const { return fmt::format("of the {} {}s of {}", shapes_.size(), what_, in_quotes(plan_.file)); }
+  std::string of_file() const {
+    return fmt::format("of the {} {}s of {}", shapes_.size(), what_,
+                       in_quotes(std::filesystem::path(plan_.file).filename().string()));
+  }
 
   [[noreturn]] void refuse_ids(const std::string& got) const {
     constexpr std::size_t most_listed = 10;

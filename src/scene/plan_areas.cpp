@@ -72,6 +72,7 @@ bool are_apart(const std::vector<Region>& regions) {
   // As the holes of a region about all of them; what lies in a hole of one is taken for an overlap.
   const double far = geometry::largest_coordinate_mm + 1000.0;
   std::vector<Polygon> outlines;
+  outlines.reserve(regions.size());
   for (const Region& region : regions) outlines.push_back(region.outline);
   return !geometry::region_fault({{-far, -far}, {far, -far}, {far, far}, {-far, far}}, outlines);
 }
@@ -137,6 +138,7 @@ std::vector<Region> merged(const std::vector<Region>& regions) {
   std::iota(from_left.begin(), from_left.end(), std::size_t{0});
   std::ranges::stable_sort(from_left, {}, [&](std::size_t i) { return regions[i].outline.front().x; });
   std::vector<Region> sorted;
+  sorted.reserve(regions.size());
   for (const std::size_t i : from_left) sorted.push_back(regions[i]);
   std::vector<Region> all = united_by_halves(std::move(sorted));
   for (Region& region : all) region = canonical(std::move(region));

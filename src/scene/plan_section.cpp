@@ -114,7 +114,7 @@ std::vector<geometry::Region> without_holes_of_plan(const TomlTable& table, Plan
   const ShapeChoice choice = choice_of(table, hole_keys);
   const auto shapes = chosen_shapes(plan, kinds_of(width), choice, ByDefault::all);
   const PlanFrame& frame = plans.frame(plan, shapes, units_asked(table, plan));
-  const std::vector<geometry::Region> left = without(areas, regions_of(plan, shapes, frame, width.value_or(0.0)));
+  std::vector<geometry::Region> left = without(areas, regions_of(plan, shapes, frame, width.value_or(0.0)));
   if (left.empty()) refuse(choice.place, "holes that leave something of the area", "none left");
   if (!choice.shapes.empty() && left == areas) refuse(choice.place, "a hole in the area", "none that meets it");
   return left;
@@ -127,6 +127,7 @@ std::vector<std::vector<vec2>> guides_of_plan(const TomlTable& direction, const 
   const auto shapes = chosen_shapes(plan, {ShapeKind::line}, choice_of(direction, guide_keys), ByDefault::all);
   const PlanFrame& frame = plans.frame(plan, shapes, units_asked(pavement, plan));
   std::vector<std::vector<vec2>> guides;
+  guides.reserve(shapes.size());
   for (const std::size_t shape : shapes) guides.push_back(line_of(frame(plan.shapes[shape].rings.front())));
   return guides;
 }

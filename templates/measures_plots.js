@@ -16,8 +16,10 @@
     },
   };
 
-  const base = (layer) => ({
-    width: 400, height: 225, autosize: { type: "pad" }, padding: 4, config, layer,
+  const wide = { width: 400, height: 225 };
+  const narrow = { width: 250, height: 165 };
+  const base = (layer, size = wide) => ({
+    ...size, autosize: { type: "pad" }, padding: 4, config, layer,
   });
 
   const axis = (field, title, more = {}) => ({ field, type: "quantitative", title, ...more });
@@ -48,7 +50,7 @@
   const share_axis = y_axis("share, %", { scale: { zero: true, nice: true } });
 
   // Bars over the band of the published range.
-  const histogram = (part, title, least, greatest) => {
+  const histogram = (part, title, least, greatest, size = wide) => {
     const seen = part.cells.flatMap(([low, high]) => [low, high]);
     const domain = [Math.min(least, ...seen), Math.max(greatest, ...seen)];
     const x = x_axis(title, { scale: { domain, nice: false, zero: false } });
@@ -58,7 +60,7 @@
         encoding: { x: { ...x, field: "low" }, x2: { field: "high" } } },
       bars(part.cells, x, share_axis),
       { data: { values: [{ x: low }, { x: high }] }, mark: { type: "rule", color: made, strokeDash: [2, 3] }, encoding: { x } },
-    ]);
+    ], size);
   };
 
   const counts = (part) => {
@@ -76,14 +78,23 @@
     ]);
   };
 
-  const specifications = {
-    large: () => against_count(data.large, "N, reaching the edge"),
-    ring: () => against_count(data.ring, "mean radius, mm"),
-    turns: () => histogram(data.turns, "turn θ, degrees", -32.5, 32.5),
-    ratios: () => histogram(data.ratios, "d / (0.470 M + 13.90 mm)", 0.4, 1.6),
-    counts: () => counts(data.counts),
-    edge_angles: () => histogram(data.edge_angles, "angle, degrees", 45, 90),
-  };
+  const specifications = {};
+  if (data.panes) {
+    const panes = data.panes;
+    Object.assign(specifications, {
+      large: () => against_count(panes.large, "N, reaching the edge"),
+      ring: () => against_count(panes.ring, "mean radius, mm"),
+      turns: () => histogram(panes.turns, "turn θ, degrees", -32.5, 32.5),
+      ratios: () => histogram(panes.ratios, "d / (0.470 M + 13.90 mm)", 0.4, 1.6),
+      counts: () => counts(panes.counts),
+      edge_angles: () => histogram(panes.edge_angles, "angle, degrees", 45, 90),
+    });
+  }
+  data.pavements.forEach((pavement, index) => {
+    specifications[`alignment-${index}`] = () => histogram(pavement.alignment, "angle, degrees", 0, 6, narrow);
+    specifications[`joints-${index}`] = () => histogram(pavement.joints, "width / asked width, %", 85, 115, narrow);
+    specifications[`areas-${index}`] = () => histogram(pavement.areas, "area / asked area, %", 75, 125, narrow);
+  });
 
   const draw = async (name) => {
     const place = document.getElementById(`plot-${name}`);

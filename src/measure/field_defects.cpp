@@ -66,13 +66,14 @@ FieldDefects field_defects(const paving::Pavement& pavement, const paving::Direc
     }
   });
   FieldDefects all;
-  // About the centre of circles the field turns too fast for a square to tell: once all round.
-  const auto* radial = std::get_if<paving::RadialDirection>(&pavement.direction);
-  if (radial != nullptr && area.contains(radial->centre_mm)) all.singularities = 4;
   for (const FieldDefects& row : of_row) {
     all.row_bends += row.row_bends;
     all.column_bends += row.column_bends;
     all.singularities += row.singularities;
+  }
+  // About the centre of circles the field turns too fast for a square to tell: once all round. There is no other such place.
+  if (const auto* radial = std::get_if<paving::RadialDirection>(&pavement.direction)) {
+    all.singularities = area.contains(radial->centre_mm) ? 4 : 0;
   }
   return all;
 }

@@ -224,14 +224,18 @@ paving::Cells neighbourhood(const Pavement& pavement, const std::vector<StoneMea
   return paving::cells_of(particles, paving::pitch_mm(pavement));
 }
 
-void count_irregular(const Pavement& pavement, const paving::DirectionField& field, LayoutMeasures& measures) {
+void count_irregular(const Pavement& pavement, const paving::DirectionField& field, const geometry::RegionIndex& area,
+                     LayoutMeasures& measures) {
   std::vector<StoneMeasures>& stones = measures.stones;
   const paving::Cells cells = neighbourhood(pavement, stones, field);
   LayoutFigures& figures = measures.figures;
+  const vec2 pitch = paving::pitch_mm(pavement);
+  const double beside_border_mm = std::max(pitch.x, pitch.y);
   const auto is_inner = [&](std::size_t s) { return stones[s].kind == StoneKind::whole && !stones[s].in_border_course; };
   for (std::size_t s = 0; s < stones.size(); ++s) {
     const auto beside = cells.neighbours(s);
-    if (!is_inner(s) || beside.empty()) continue;
+    // The first row has no neighbours towards the border.
+    if (!is_inner(s) || beside.empty() || area.border_within(stones[s].middle_mm, beside_border_mm)) continue;
     stones[s].neighbours = static_cast<int>(beside.size());
     if (!std::ranges::all_of(beside, is_inner)) continue;
     ++figures.counted_stones;
@@ -326,7 +330,7 @@ LayoutMeasures measured(const Pavement& pavement, const StoneLayout& set_out, co
   });
   if (pavement.bonding.bond == Bond::packed) {
     figures.field = field_defects(pavement, field, area);
-    count_irregular(pavement, field, measures);
+    count_irregular(pavement, field, area, measures);
   }
   sum_up(pavement, samples, measures);
   Coverage coverage = coverage_of(pavement, set_out, index, area);

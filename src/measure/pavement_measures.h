@@ -13,9 +13,9 @@
 // the asked width. Where a row or a column ends, joints cannot all be as asked: those beside an irregular stone are excepted,
 // and counted. (Stones that follow a bend without such an end share their cell's sides, so that no bend needs more.)
 // Areas: of whole stones, but for bonds whose stones differ by design: segmental_arc, fan, ashlar, crazy.
-// Regular: in a packing, a stone with four neighbours. Of stones that have no cut one beside them the others are counted,
-// and the spots that those side by side make. One spot is the end of at least one row or column; measure/field_defects.h tells
-// the least number that the field allows.
+// Regular: in a packing, a stone with four neighbours. Of stones that have no cut one and no border beside them the others are
+// counted, and the spots that those side by side make. One spot is the end of at least one row or column;
+// measure/field_defects.h tells the least number that the field allows.
 //
 // What [pavement.variation] asks for is no fault: stones missing, turned, moved and of other sizes. So faults are looked for
 // among the stones as they lie, and all else is measured on the stones as they were set out, before variation.
@@ -82,11 +82,11 @@ struct LayoutFigures {
 
 struct LayoutMeasures {
   LayoutFigures figures;
-  std::vector<StoneMeasures> stones;                                  // as set out
-  std::vector<vec2> holes_mm;                                         // where a stone is missing that should not be
-  Histogram misaligned_deg{0.0, 0.25, std::vector<std::size_t>(60)};  // of sides; 0 … 15°
-  Histogram joints_percent{50.0, 2.5, std::vector<std::size_t>(40)};  // 50 … 150 %
-  Histogram areas_percent{50.0, 2.5, std::vector<std::size_t>(40)};   // of whole stones that should be of one size
+  std::vector<StoneMeasures> stones;                                   // as set out
+  std::vector<vec2> holes_mm;                                          // where a stone is missing that should not be
+  Histogram misaligned_deg{0.0, 0.25, std::vector<std::size_t>(60)};   // of sides; 0 … 15°
+  Histogram joints_percent{48.75, 2.5, std::vector<std::size_t>(40)};  // about 50 … 150 %, one cell about 100
+  Histogram areas_percent{48.75, 2.5, std::vector<std::size_t>(40)};   // of whole stones that should be of one size
 };
 
 // `set_out` is the layout without variation, `lying` the one with it; the same where none is asked. Time goes with the number

@@ -1,12 +1,14 @@
 """Judges the report of `measure` as a browser left it (chromium --dump-dom): prints what is wrong; exit status 1 if anything is.
 
-measure_page.py DOM   lines with the word CONSOLE after the page are errors that the browser told
+measure_page.py DOM STONES   STONES: how many the map must show; lines with the word CONSOLE after the page are errors that the browser told
 """
 import html.parser
 import re
 import sys
 
-PLOTS = {"large": 20, "ring": 10, "turns": 5, "ratios": 3, "counts": 20, "edge_angles": 2}  # id: marks at least
+# id: marks at least
+PLOTS = {"large": 20, "ring": 10, "turns": 5, "ratios": 3, "counts": 20, "edge_angles": 2,
+         "alignment-0": 4, "joints-0": 2, "areas-0": 4}
 LOADING = {"src", "srcset", "data", "poster", "action", "background"}
 
 
@@ -19,6 +21,8 @@ class Page(html.parser.HTMLParser):
         self.marks = {name: 0 for name in PLOTS}
         self.drawn = set()
         self.style = False
+        self.map = None  # id of the map that is being read
+        self.map_stones = {}
 
     def handle_starttag(self, tag, attributes):
         given = dict(attributes)
@@ -27,6 +31,7 @@ class Page(html.parser.HTMLParser):
             if loads and not (value or "").startswith(("#", "data:")):
                 self.faults.append(f"<{tag} {name}={value!r}> loads something")
         self.style = tag == "style"
+        self.look_at_map(tag, given)
         if self.plot is None and (given.get("id") or "").startswith("plot-"):
             self.plot, self.depth = given["id"][len("plot-"):], 1
             if "failed" in (given.get("class") or ""):
@@ -37,6 +42,15 @@ class Page(html.parser.HTMLParser):
             # Vega marks are paths with a role; a path without extent was not drawn.
             is_mark = tag == "path" and given.get("aria-roledescription") and len(given.get("d") or "") > 5
             self.marks[self.plot] += bool(is_mark)
+
+    # A map tells how many stones it has drawn, and the probe of measure_test.sh how much of its canvas is coloured.
+    def look_at_map(self, tag, given):
+        if tag == "figure":
+            self.map = given.get("id") if "map" in (given.get("class") or "").split() else None
+            if self.map and "failed" in given["class"]:
+                self.faults.append(f"the {self.map} failed")
+        elif tag == "canvas" and self.map:
+            self.map_stones[self.map] = (int(given.get("data-stones") or 0), float(given.get("data-ink") or 0))
 
     def handle_endtag(self, tag):
         if tag == "style":
@@ -61,8 +75,13 @@ def main():
         elif page.marks[name] < least:
             page.faults.append(f"the plot {name}: expected {least} marks or more, got {page.marks[name]}")
     page.faults += [line for line in text[text.rfind("</html>"):].splitlines() if "CONSOLE" in line]
-    if len(re.findall(r'<span class="verdict (?:holds|fails|open)">', text)) != 12:
-        page.faults.append("expected 12 findings with a verdict")
+    if len(re.findall(r'<span class="verdict (?:holds|fails|open)">', text)) != 12 + 15:
+        page.faults.append("expected 12 findings of panes and 15 of a pavement, with a verdict")
+    stones, ink = page.map_stones.get("map-0", (0, 0))
+    if stones != int(sys.argv[2]):
+        page.faults.append(f"the map: expected {sys.argv[2]} stones, got {stones}")
+    if ink < 0.5:
+        page.faults.append(f"the map: expected stones over half of it or more, got {ink}")
     if text.count("<figure><svg") != 12:
         page.faults.append("expected drawings of 12 panes")
     print("\n".join(page.faults), end="\n" if page.faults else "")

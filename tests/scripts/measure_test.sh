@@ -19,10 +19,19 @@ preset = "agui1992-fig15a"
 name = "drawn"
 size_mm = [200, 150]
 impact = [{at_mm = [90, 80], mean_radial_count = 60}]
+[[pavement]]
+name = "court"
+outline_mm = [[0, 0], [3000, 0], [3000, 1900], [0, 2100]]
+holes_mm = [[[900, 900], [900, 1300], [1300, 1100]]]
+[pavement.direction]
+kind = "radial"
+centre_mm = [1000, -1500]
 TOML
 "$build/shatterpave" measure "$scratch/panes.toml" --seeds 6 -o "$scratch/out" >"$scratch/list" 2>"$scratch/messages"
 [[ ! -s $scratch/messages ]] || fail "expected no message, got: $(<"$scratch/messages")"
-[[ $(wc -l <"$scratch/list") == 3 ]] || fail "expected three files, got: $(<"$scratch/list")"
+[[ $(wc -l <"$scratch/list") == 5 ]] || fail "expected five files, got: $(<"$scratch/list")"
+[[ $(wc -l <"$scratch/out/panes-measures-pavements.csv") == 7 ]] || fail "expected a row for each seed"
+stones=$(($(wc -l <"$scratch/out/panes-measures-stones.csv") - 1))
 
 # opened PAGE: the page as it is once its scripts have run, and what the browser says of it.
 opened() {
@@ -33,10 +42,21 @@ opened() {
   grep CONSOLE "$scratch/console" || true
 }
 
+# The share of the map that is coloured, as an attribute: what is on a canvas does not show in the page itself.
+probe='<script>
+for (const canvas of document.querySelectorAll("canvas")) {
+  const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+  let inked = 0;
+  for (let i = 3; i < pixels.length; i += 4) inked += pixels[i] > 0;
+  canvas.dataset.ink = inked * 4 / pixels.length;
+}
+</script>'
+
 # sound PAGE: says what is wrong with a page, and fails; says nothing of a sound one.
 sound() {
-  opened "$1" >"$scratch/dom"
-  python3 "$here/measure_page.py" "$scratch/dom"
+  sed "s|^</body>\$|$(tr '\n' ' ' <<<"$probe")</body>|" "$1" >"$scratch/probed.html"
+  opened "$scratch/probed.html" >"$scratch/dom"
+  python3 "$here/measure_page.py" "$scratch/dom" "$stones"
 }
 
 page=$scratch/out/panes-measures.html
@@ -59,3 +79,5 @@ expect_unsound "a page without Vega-Lite" 'the plot large failed' 'var n="6.5.0"
 expect_unsound "a plot without data" 'the plot turns: expected' '"turns":{"cells":[[' '"turns":{"cells":[],"none":[['
 expect_unsound "a picture from elsewhere" '<img src=' '<footer>' '<footer><img src="https://example.org/a.png" alt="">'
 expect_unsound "a style from elsewhere" 'the style loads something' '* { box-sizing' '@import "https://example.org/a.css"; * { box-sizing'
+expect_unsound "a map whose stones are not drawn" 'the map: expected stones over half' 'context.fill(path);' ';context.clearRect(0, 0, 1e6, 1e6);'
+expect_unsound "a map with data that cannot be read" 'the map-0 failed' '"rings":[[' '"rings":0,"none":[['

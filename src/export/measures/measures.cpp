@@ -81,7 +81,7 @@ std::vector<OutputFile> measures_files(const measure::Survey& survey) {
     files.push_back({survey.name + "-measures-pavements.csv", pavements_csv(survey)});
     files.push_back({survey.name + "-measures-stones.csv", stones_csv(survey)});
   }
-  if (has_plots() && !survey.panes.empty()) files.push_back({survey.name + "-measures.html", measures_report(survey)});
+  if (has_plots()) files.push_back({survey.name + "-measures.html", measures_report(survey)});
   return files;
 }
 

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "core/embedded.h"
-#include "core/error.h"
+#include "export/measures/html.h"
 #include "export/measures/measures.h"
+#include "export/measures/pavement_report.h"
 #include "export/measures/words.h"
 #include "measure/experiment.h"
 
@@ -17,8 +16,6 @@ namespace shatterpave::exporting {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-using Buffer = fmt::memory_buffer;
 using measure::Survey;
 
 constexpr std::string_view vega = "vega.min.js";
@@ -34,30 +31,7 @@ constexpr std::size_t most_points = 2000;
 constexpr double drawing_step = 1.0 / 250.0;
 constexpr double drawing_unit = 1.0 / 3000.0;
 
-template <typename... Arguments>
-void put(Buffer& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-}
-
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
-    text.replace(at, what.size(), by);
-  }
-  return text;
-}
-
-std::string escaped(std::string_view text) {
-  return replaced(replaced(replaced(std::string(text), "&", "&amp;"), "<", "&lt;"), ">", "&gt;");
-}
-
-// A script element ends at the first "</script", even within a string of the script. Only in strings and patterns can a script
-// have these characters, and there a backslash changes nothing else. (Not so "</" alone: /</g is a pattern.)
-std::string as_script(std::string_view text) { return replaced(std::string(text), "</script", "<\\/script"); }
-
 // --- Data of the plots ------------------------------------------------------------------------------------------------
-
-// To what a plot shows; files stay small.
-double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 Json line_data(const measure::Line& line, double low, double high) {
   return Json::array({{rounded(low), rounded(line.at(low))}, {rounded(high), rounded(line.at(high))}});
@@ -65,19 +39,6 @@ Json line_data(const measure::Line& line, double low, double high) {
 
 Json measured_line(const measure::Line& line) {
   return line.low_x < line.high_x && line.count > 2 ? line_data(line, line.low_x, line.high_x) : Json::array();
-}
-
-// Cells that hold something, as [from, to, percentage].
-Json histogram_data(const measure::Histogram& histogram) {
-  std::size_t total = 0;
-  for (const std::size_t count : histogram.counts) total += count;
-  Json cells = Json::array();
-  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
-    const double low = histogram.low + histogram.width * static_cast<double>(i);
-    const double share = total == 0 ? 0.0 : 100.0 * static_cast<double>(histogram.counts[i]) / static_cast<double>(total);
-    if (histogram.counts[i] > 0) cells.push_back({rounded(low), rounded(low + histogram.width), rounded(share)});
-  }
-  return cells;
 }
 
 // The first impacts of the first panes.
@@ -168,8 +129,7 @@ Json count_data(const Survey& survey) {
   return result;
 }
 
-// Numbers only, so that nothing in it can end the element that holds it.
-Json plot_data(const Survey& survey) {
+Json pane_data(const Survey& survey) {
   const auto histogram = [](const measure::Histogram& h, double low, double high) {
     return Json{{"cells", histogram_data(h)}, {"range", {low, high}}};
   };
@@ -182,24 +142,6 @@ Json plot_data(const Survey& survey) {
 }
 
 // --- Tables and drawings ----------------------------------------------------------------------------------------------
-
-std::string findings_rows(const measure::Summary& summary) {
-  Buffer out;
-  for (const measure::Finding& finding : summary.findings) {
-    const std::string_view word = word_of(finding.verdict);
-    put(out,
-        "<tr id=\"{}\"><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{} {}</td>"
-        "<td><span class=\"verdict {}\">{}</span></td></tr>\n",
-        finding.id, finding.quantity, target_of(finding), figure_of(finding), grouped(finding.count), finding.counted, word,
-        word);
-  }
-  return fmt::to_string(out);
-}
-
-std::string mean_and_deviation(const measure::Distribution& d, int decimals) {
-  if (d.count() == 0) return "–";
-  return fmt::format("{:.{}f} ± {:.{}f}", d.mean(), decimals, d.deviation(), decimals);
-}
 
 std::string pane_rows(const Survey& survey) {
   Buffer out;
@@ -277,21 +219,41 @@ std::string count_words(const Survey& survey) {
                      survey.count_law->dispersion);
 }
 
-std::string verdict_words(const measure::Summary& summary) {
-  const auto count = [&](measure::Verdict verdict) {
-    return std::ranges::count(summary.findings, verdict, &measure::Finding::verdict);
-  };
-  std::string words = fmt::format("{} of {} hold", count(measure::Verdict::holds), summary.findings.size());
-  if (const auto fails = count(measure::Verdict::fails); fails > 0) words += fmt::format(", {} fail", fails);
-  if (const auto open = count(measure::Verdict::open); open > 0) words += fmt::format(", {} left open by these seeds", open);
-  return words;
+std::string pane_section(const Survey& survey) {
+  const measure::Distribution& counts = survey.summary.radial_count;
+  std::string section{embedded_text("measures_panes.html")};
+  fill(section, "pane_count", grouped(survey.panes.size()));
+  fill(section, "counts",
+       fmt::format("{:.0f} … {:.0f}, mean {:.1f}, variance / mean {:.1f}; {}", counts.least(), counts.greatest(), counts.mean(),
+                   counts.variance() / std::max(counts.mean(), 1.0), count_words(survey)));
+  fill(section, "verdicts", verdict_words(survey.summary.findings));
+  fill(section, "findings", findings_rows(survey.summary.findings));
+  fill(section, "sample", survey.panes.size() > most_points ? fmt::format(" Points: the first {} panes.", most_points) : "");
+  fill(section, "law", survey.sweep ? ", which were set" : ". Thin line: Poisson with their mean (eq. 5)");
+  fill(section, "pane_rows", pane_rows(survey));
+  fill(section, "specimens_title", survey.sweep ? "Panes along the sweep" : "The first panes");
+  fill(section, "specimens", contact_sheet(survey));
+  return section;
 }
 
-void fill(std::string& page, std::string_view mark, std::string_view text) {
-  const std::string whole = fmt::format("<!--@{}-->", mark);
-  const std::size_t at = page.find(whole);
-  ENSURE(at != std::string::npos);
-  page.replace(at, whole.size(), text);
+constexpr std::string_view sources =
+    "T. Agui, H. Moriyama, T. Nagao, M. Nakajima, “A CG Representation Method of Cracks on a Plate Glass”, Transactions of the "
+    "Information Processing Society of Japan, 1992. ";
+
+std::string seeds_words(const Survey& survey) {
+  if (survey.seed_count == 1) return fmt::format("{}", survey.first_seed);
+  return fmt::format("{} … {}", survey.first_seed, survey.first_seed + (survey.seed_count - 1));
+}
+
+// What the page is of, as entries of its head.
+std::string contents(const Survey& survey) {
+  std::string entries;
+  const auto add = [&](std::string_view what, std::size_t count) {
+    if (count > 0) entries += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", what, count);
+  };
+  add("Panes of the scene", survey.pane_names.size());
+  add("Pavements", survey.pavements.size());
+  return entries;
 }
 
 }  // namespace
@@ -299,28 +261,29 @@ void fill(std::string& page, std::string_view mark, std::string_view text) {
 bool has_plots() { return is_embedded(vega) && is_embedded(vega_lite); }
 
 std::string measures_report(const Survey& survey) {
-  const measure::Distribution& counts = survey.summary.radial_count;
   std::string page{embedded_text("measures.html")};
+  Json pavements = Json::array();
+  std::string sections;
+  for (std::size_t i = 0; i < survey.pavements.size(); ++i) {
+    pavements.push_back(pavement_data(survey.pavements[i]));
+    sections += pavement_section(survey.pavements[i], i);
+  }
+  const bool has_panes = !survey.panes.empty();
   fill(page, "title", escaped(survey.name));
   fill(page, "name", escaped(survey.name));
-  fill(page, "seeds", fmt::format("{} … {}", survey.first_seed, survey.first_seed + (survey.seed_count - 1)));
-  fill(page, "panes", grouped(survey.panes.size()));
-  fill(page, "counts",
-       fmt::format("{:.0f} … {:.0f}, mean {:.1f}, variance / mean {:.1f}; {}", counts.least(), counts.greatest(), counts.mean(),
-                   counts.variance() / std::max(counts.mean(), 1.0), count_words(survey)));
-  fill(page, "verdicts", verdict_words(survey.summary));
-  fill(page, "findings", findings_rows(survey.summary));
-  fill(page, "sample", survey.panes.size() > most_points ? fmt::format(" Points: the first {} panes.", most_points) : "");
-  fill(page, "law", survey.sweep ? ", which were set" : ". Thin line: Poisson with their mean (eq. 5)");
-  fill(page, "pane_rows", pane_rows(survey));
-  fill(page, "specimens_title", survey.sweep ? "Panes along the sweep" : "The first panes");
-  fill(page, "specimens", contact_sheet(survey));
+  fill(page, "seeds", seeds_words(survey));
+  fill(page, "contents", contents(survey));
+  fill(page, "sources", has_panes ? sources : "");
   fill(page, "vega_licence", escaped(embedded_text(vega_licence)));
   fill(page, "vega_lite_licence", escaped(embedded_text(vega_lite_licence)));
-  fill(page, "data", plot_data(survey).dump());
+  fill(page, "panes", has_panes ? pane_section(survey) : "");
+  fill(page, "pavements", sections);
+  // Numbers only, so that nothing in it can end the element that holds it.
+  fill(page, "data", Json{{"panes", has_panes ? pane_data(survey) : Json(nullptr)}, {"pavements", pavements}}.dump());
   fill(page, "vega", as_script(embedded_text(vega)));
   fill(page, "vega_lite", as_script(embedded_text(vega_lite)));
   fill(page, "plots", as_script(embedded_text("measures_plots.js")));
+  fill(page, "map", as_script(embedded_text("measures_map.js")));
   return page;
 }
 

@@ -437,6 +437,7 @@ ImpactCounts PaneGrowth::strike(int impact) {
 std::vector<ImpactCounts> grow(const Pane& pane, std::uint64_t seed, CrackMap& map) {
   PaneGrowth growth(pane, seed, map);
   std::vector<ImpactCounts> counts;
+  counts.reserve(pane.impacts.size());
   for (int i = 0; i < static_cast<int>(pane.impacts.size()); ++i) counts.push_back(growth.strike(i));
   return counts;
 }

@@ -5,8 +5,8 @@
 
 namespace shatterpave::scene {
 
-// The regions of shapes of a plan, in their order: areas as they are, lines as bands of `width_mm` > 0 that end square, points as
-// discs of that diameter.
+// The regions of shapes of a plan, in their order: areas as they are, lines as bands of `width_mm` > 0 that end square, points
+// as discs of that diameter.
 std::vector<geometry::Region> regions_of(const Plan& plan, const std::vector<std::size_t>& shapes, const PlanFrame& frame,
                                          double width_mm);
 

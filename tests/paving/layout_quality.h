@@ -29,8 +29,8 @@ struct LayoutQuality {
   double coverage = 0.0;    // share of the area under the stones grown by half a joint
   double joint_p5 = 0.0;    // width of the joint beside whole stones, over the asked one
   double joint_p95 = 0.0;
-  double area_spread = 0.0;  // standard deviation over mean of the areas of whole stones
-  double mean_area = 0.0;    // over that of the asked stone
+  double area_spread = 0.0;  // standard deviation over mean of the areas of whole stones, of any bond
+  double mean_area = 0.0;    // of whole stones, over stone_mm.x * stone_mm.y
   double smallest = 0.0;     // least area of a stone over that of the asked one
 };
 

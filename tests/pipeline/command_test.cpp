@@ -16,6 +16,7 @@
 
 #include "pipeline/subprocess.h"
 #include "pipeline/write.h"
+#include "support/places.h"
 
 namespace shatterpave::pipeline {
 namespace {
@@ -53,7 +54,7 @@ class Command : public testing::Test {
 
   // The shell only takes the two streams apart.
   Outcome command(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) const {
-    std::vector<std::string> all = {"sh", "-c", "exec \"$0\" \"$@\" >stdout.txt 2>stderr.txt", SHATTERPAVE_COMMAND};
+    std::vector<std::string> all = {"sh", "-c", "exec \"$0\" \"$@\" >stdout.txt 2>stderr.txt", support::command()};
     all.insert(all.end(), arguments.begin(), arguments.end());
     const Ending ending = pipeline::run({all, root, environment, {}}, [](std::string_view) {}, {});
     EXPECT_EQ(ending.signal, 0);
@@ -279,10 +280,11 @@ TEST_F(FailingRenderer, InterruptEndsTheRendererAndLeavesNothing) {
   const std::string script = "#!/bin/sh\necho $$ > " + started.string() + "\nexec sleep 60\n";
   write_file(root / "bin/povray", script);
   fs::permissions(root / "bin/povray", fs::perms::owner_all);
+  const std::string command = support::command();
   const pid_t child = ::fork();
   if (child == 0) {
     ::setenv("PATH", ((root / "bin").string() + ":" + std::getenv("PATH")).c_str(), 1);
-    if (::chdir(root.c_str()) == 0) ::execl(SHATTERPAVE_COMMAND, "shatterpave", "render", "s.toml", "-o", "out", nullptr);
+    if (::chdir(root.c_str()) == 0) ::execl(command.c_str(), "shatterpave", "render", "s.toml", "-o", "out", nullptr);
     ::_exit(99);
   }
   for (int i = 0; i < 600 && text_of(started).find('\n') == std::string::npos; ++i) {

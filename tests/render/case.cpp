@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "support/places.h"
+
 namespace shatterpave::render_tests {
 
 namespace {
@@ -85,7 +87,7 @@ NearMiss near_miss(const toml::table& table) {
   return miss;
 }
 
-std::filesystem::path cases_folder() { return std::filesystem::path(SHATTERPAVE_SOURCE_DIR) / "tests" / "render"; }
+std::filesystem::path cases_folder() { return support::source_folder() / "tests" / "render"; }
 
 }  // namespace
 
@@ -105,7 +107,7 @@ Case case_named(const std::string& name) {
   const toml::table table = toml::parse_file((result.folder / "expect.toml").string());
   static_cast<void>(required<std::string>(table, "about"));
   const auto scene = table["scene"].value<std::string>();
-  result.scene = scene ? std::filesystem::path(SHATTERPAVE_SOURCE_DIR) / *scene : result.folder / "scene.toml";
+  result.scene = scene ? support::source_folder() / *scene : result.folder / "scene.toml";
   const auto size = pair(table, "size");
   result.width = size[0];
   result.height = size[1];

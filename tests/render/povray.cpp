@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "support/places.h"
+
 namespace shatterpave::render_tests {
 
 namespace {
@@ -46,7 +48,7 @@ int status_of(std::vector<std::string> words, const std::filesystem::path& folde
 
 }  // namespace
 
-std::filesystem::path output_folder() { return std::filesystem::path(SHATTERPAVE_SOURCE_DIR) / "tests" / "out"; }
+std::filesystem::path output_folder() { return support::source_folder() / "tests" / "out"; }
 
 relief::Raster rendered(const std::filesystem::path& folder, const std::string& scene, std::size_t width, std::size_t height) {
   const std::filesystem::path picture = folder / "picture.exr";

@@ -5,12 +5,12 @@
 
 #include <filesystem>
 
+#include "support/places.h"
+
 namespace shatterpave::support {
 
 // ../shared/data beside the repository, whether it exists or not.
-inline std::filesystem::path shared_data() {
-  return std::filesystem::path(SHATTERPAVE_SOURCE_DIR).parent_path() / "shared" / "data";
-}
+inline std::filesystem::path shared_data() { return source_folder().parent_path() / "shared" / "data"; }
 
 }  // namespace shatterpave::support
 

@@ -224,11 +224,10 @@ paving::Cells neighbourhood(const Pavement& pavement, const std::vector<StoneMea
   return paving::cells_of(particles, paving::pitch_mm(pavement));
 }
 
-void count_irregular(const Pavement& pavement, const paving::DirectionField& field, const geometry::RegionIndex& area,
-                     LayoutMeasures& measures) {
+// Marks the irregular stones. Those that have a cut stone or the border beside them are not looked at.
+void mark_irregular(const Pavement& pavement, const paving::Cells& cells, const geometry::RegionIndex& area,
+                    LayoutMeasures& measures) {
   std::vector<StoneMeasures>& stones = measures.stones;
-  const paving::Cells cells = neighbourhood(pavement, stones, field);
-  LayoutFigures& figures = measures.figures;
   const vec2 pitch = paving::pitch_mm(pavement);
   const double beside_border_mm = std::max(pitch.x, pitch.y);
   const auto is_inner = [&](std::size_t s) { return stones[s].kind == StoneKind::whole && !stones[s].in_border_course; };
@@ -238,10 +237,14 @@ void count_irregular(const Pavement& pavement, const paving::DirectionField& fie
     if (!is_inner(s) || beside.empty() || area.border_within(stones[s].middle_mm, beside_border_mm)) continue;
     stones[s].neighbours = static_cast<int>(beside.size());
     if (!std::ranges::all_of(beside, is_inner)) continue;
-    ++figures.counted_stones;
+    ++measures.figures.counted_stones;
     stones[s].irregular = beside.size() != 4;
-    if (stones[s].irregular) ++figures.irregular_stones;
+    if (stones[s].irregular) ++measures.figures.irregular_stones;
   }
+}
+
+// Of the irregular stones, those side by side are one.
+std::size_t irregular_spots(const paving::Cells& cells, const std::vector<StoneMeasures>& stones) {
   Groups spots(stones.size());
   for (std::size_t s = 0; s < stones.size(); ++s) {
     if (!stones[s].irregular) continue;
@@ -249,9 +252,18 @@ void count_irregular(const Pavement& pavement, const paving::DirectionField& fie
       if (stones[n].irregular) spots.join(s, n);
     }
   }
+  std::size_t count = 0;
   for (std::size_t s = 0; s < stones.size(); ++s) {
-    if (stones[s].irregular && spots.of(s) == s) ++figures.irregular_spots;
+    if (stones[s].irregular && spots.of(s) == s) ++count;
   }
+  return count;
+}
+
+void count_irregular(const Pavement& pavement, const paving::DirectionField& field, const geometry::RegionIndex& area,
+                     LayoutMeasures& measures) {
+  const paving::Cells cells = neighbourhood(pavement, measures.stones, field);
+  mark_irregular(pavement, cells, area, measures);
+  measures.figures.irregular_spots = irregular_spots(cells, measures.stones);
 }
 
 void sum_up(const Pavement& pavement, const std::vector<StoneSamples>& samples, LayoutMeasures& measures) {

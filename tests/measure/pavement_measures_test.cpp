@@ -85,40 +85,40 @@ TEST(PavementMeasures, TellWhatIsOffByHowMuch) {
 // The three faults that the scorer must reject, each by a finding of its own; the layout without them must hold.
 class GoodLayout : public testing::Test {
  protected:
-  const Pavement paved_ = annulus(89);
-  const StoneLayout layout_ = paving::laid_stones(paved_, 7);
+  const Pavement paved = annulus(89);
+  const StoneLayout layout = paving::laid_stones(paved, 7);
 };
 
-TEST_F(GoodLayout, HoldsInAll) { EXPECT_EQ(failing(paved_, measured(paved_, layout_).figures), Ids{}); }
+TEST_F(GoodLayout, HoldsInAll) { EXPECT_EQ(failing(paved, measured(paved, layout).figures), Ids{}); }
 
 TEST_F(GoodLayout, IsRejectedWithOneStoneRemoved) {
-  for (const std::size_t s : {std::size_t{0}, layout_.stones.size() / 2, layout_.stones.size() - 1}) {
-    StoneLayout other = layout_;
+  for (const std::size_t s : {std::size_t{0}, layout.stones.size() / 2, layout.stones.size() - 1}) {
+    StoneLayout other = layout;
     const vec2 middle = geometry::centroid(other.stones[s].outline_mm);
     other.stones.erase(other.stones.begin() + static_cast<std::ptrdiff_t>(s));
-    const LayoutMeasures measures = measured(paved_, other);
-    EXPECT_EQ(failing(paved_, measures.figures), Ids{"holes"});
+    const LayoutMeasures measures = measured(paved, other);
+    EXPECT_EQ(failing(paved, measures.figures), Ids{"holes"});
     ASSERT_EQ(measures.holes_mm.size(), 1U);
     EXPECT_LT(glm::length(measures.holes_mm[0] - middle), 10.0);
   }
 }
 
 TEST_F(GoodLayout, IsRejectedWithJointsWiderByATwentieth) {
-  Pavement wider = paved_;
+  Pavement wider = paved;
   wider.joint_mm *= 1.05;
   // What stones grown by half the asked joint leave open is then 2 · 0.4 mm of each 97 mm.
-  EXPECT_EQ(failing(paved_, measured(paved_, paving::laid_stones(wider, 7)).figures), (Ids{"coverage", "joint_median"}));
+  EXPECT_EQ(failing(paved, measured(paved, paving::laid_stones(wider, 7)).figures), (Ids{"coverage", "joint_median"}));
 }
 
 TEST_F(GoodLayout, IsRejectedWithTheFieldTurnedByThreeDegrees) {
-  StoneLayout turned = layout_;
+  StoneLayout turned = layout;
   for (paving::Stone& stone : turned.stones) {
     const vec2 middle = geometry::centroid(stone.outline_mm);
     for (vec2& p : stone.outline_mm) p = geometry::on_lattice(middle + rotated(p - middle, Angle::degrees(3.0)));
   }
-  const LayoutFigures figures = measured(paved_, turned).figures;
+  const LayoutFigures figures = measured(paved, turned).figures;
   EXPECT_NEAR(figures.misaligned_mean_deg, 3.0, 0.5);
-  const Ids ids = failing(paved_, figures);
+  const Ids ids = failing(paved, figures);
   EXPECT_NE(std::ranges::find(ids, "alignment_mean"), ids.end());
   // A constant field, laid anew: nothing else is wrong with it.
   const Pavement straight = paving::pavement(paving::concave_area(), 100, 8, paving::ConstantDirection{Angle::degrees(20)});

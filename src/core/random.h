@@ -33,7 +33,12 @@ enum class Stream : std::uint32_t {
   stone_place = 30,  // size, rotation and offset of a stone
   stone_missing = 31,
   stone_sink = 32,
-  debris = 40,  // crushed zone and other litter about an impact
+  debris = 40,         // crushed zone and other litter about an impact
+  crack_tilt = 60,     // walls of a crack: lean,
+  crack_curve = 61,    // bow,
+  crack_opening = 62,  // width of the gap,
+  crack_depth = 63,    // and how deep it is
+  crater = 64,         // flakes about the hole of a shot
 };
 
 // Identity of an element, made from what it *is*: its names and its places among its siblings, never from a running

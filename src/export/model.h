@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "glass/crack_surface.h"
 #include "glass/network.h"
 #include "glass/pane.h"
 #include "paving/pavement.h"
@@ -16,6 +17,7 @@ namespace shatterpave::exporting {
 struct BrokenPane {
   glass::Pane pane;
   glass::CrackNetwork network;
+  glass::CrackSurfaces surfaces{};  // none unless the pane asks for sheets
 };
 
 struct PavedArea {

@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "core/parallel.h"
+#include "glass/crack_surface.h"
 #include "glass/growth.h"
 #include "paving/laying.h"
 
@@ -23,7 +24,11 @@ exporting::Model generated(const scene::Scene& scene, const Progress& progress) 
   if (progress) progress("generating", 0.0);
   parallel_for(count, [&](std::size_t i) {
     if (i < panes) {
-      model.panes[i].network = glass::grown_cracks(model.panes[i].pane, scene.seed);
+      exporting::BrokenPane& broken = model.panes[i];
+      broken.network = glass::grown_cracks(broken.pane, scene.seed);
+      if (broken.pane.crack_body == glass::CrackBody::sheet) {
+        broken.surfaces = glass::crack_surfaces(broken.pane, broken.network, scene.seed);
+      }
     } else {
       exporting::PavedArea& paved = model.pavements[i - panes];
       paved.layout = paving::laid_stones(paved.pavement, scene.seed);

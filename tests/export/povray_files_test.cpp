@@ -93,6 +93,28 @@ TEST_P(RenderGlass, WithoutWarning) { expect_renders(std::to_string(GetParam()),
 
 INSTANTIATE_TEST_SUITE_P(Radials, RenderGlass, testing::Values(1, 24, 113, 200, 1000));
 
+// The same panes with cracks through the thickness: no warning, and above all no crash of POV-Ray where hundreds of them meet.
+class RenderSheets : public testing::TestWithParam<int> {};
+
+TEST_P(RenderSheets, WithoutWarning) {
+  glass::Pane pane = pane_with(GetParam());
+  pane.crack_body = glass::CrackBody::sheet;
+  expect_renders("sheets_" + std::to_string(GetParam()), model_with({pane}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Radials, RenderSheets, testing::Values(1, 24, 113, 200));
+
+TEST(PovrayFiles, HeaderNamesWhatSheetsDeclare) {
+  glass::Pane pane = pane_with(3);
+  pane.crack_body = glass::CrackBody::sheet;
+  const std::vector<OutputFile> files = povray_files(model_with({pane}));
+  const std::string& text = file_named(files, "window.inc").content;
+  EXPECT_NE(text.find("#declare window_Cracks_0 =\nunion {"), std::string::npos);
+  EXPECT_NE(text.find("mesh2 {"), std::string::npos);
+  EXPECT_EQ(text.find("cylinder {"), std::string::npos);
+  EXPECT_NE(text.substr(0, text.find("#ifndef")).find("window_Cracks_0"), std::string::npos);
+}
+
 TEST(RenderGlassCases, PanesOfManyShapesSideBySide) {
   glass::Pane corner = pane_with(40);
   corner.name = "corner-pane";

@@ -68,8 +68,9 @@ TEST(BorderZones, AreNearestToTheirSidesAndFillTheRegion) {
     int inside = 0;
     const geometry::Box box = border.box();
     for (int i = 0; i < 400; ++i) {
-      const vec2 at =
-          box.low + vec2{(i % 20 + 0.37) / 20.0, (static_cast<double>(i / 20) + 0.61) / 20.0} * (box.high - box.low);
+      const int column = i % 20;
+      const int row = i / 20;
+      const vec2 at = box.low + vec2{(column + 0.37) / 20.0, (row + 0.61) / 20.0} * (box.high - box.low);
       if (!border.contains(at)) continue;
       const std::uint32_t nearest = zones.of_segment[border.nearest(at).segment];
       for (std::uint32_t z = 0; z < zones.areas.size(); ++z) {

@@ -16,3 +16,12 @@ if(SHATTERPAVE_SANITIZE)
   add_compile_options(-fsanitize=${SHATTERPAVE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${SHATTERPAVE_SANITIZE})
 endif()
+
+# shatterpave_precompile(TARGET HEADER…): those and the standard library's, where that is asked for. Sources include what they use
+# all the same: clang-tidy reads them without.
+function(shatterpave_precompile target)
+  if(SHATTERPAVE_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <functional> <map> <memory> <optional> <span>
+      <string> <string_view> <variant> <vector> ${ARGN})
+  endif()
+endfunction()

@@ -221,7 +221,7 @@ paving::Cells neighbourhood(const Pavement& pavement, const std::vector<StoneMea
     for (std::size_t s = begin; s < end; ++s) particles[s] = {stones[s].middle_mm, field.axis(stones[s].middle_mm)};
   });
   part(particles);
-  return paving::cells_of(particles, paving::pitch_mm(pavement));
+  return paving::cells_of(particles, pavement);
 }
 
 // Marks the irregular stones. Those that have a cut stone or the border beside them are not looked at.

@@ -2,6 +2,12 @@
 // Without the diagonals it is a mesh of quadrilaterals with a particle at each vertex. A stone is the dual: the ring of the
 // centroids of the faces about its particle. In the regular part the faces have four corners, as has each stone, and the
 // corners of stones are the middles between four particles; where a row ends a triangle remains.
+//
+// Beside the end of a row the stones of one row lie shifted against those of the next. To draw their perpends together would
+// shear them, and their neighbours. So two triangles make a quadrilateral only if that is nearly upright: where the shift is
+// more, both remain, and each perpend ends at a T on the straight side of a stone. A paviour does the same, who lets perpends
+// run through where they meet and lets them be where they do not. Only where the bend is so sharp that the straight sides of
+// shifted stones could not keep the joint (`largest_bulge`) are all perpends drawn together that can be.
 #include "paving/cells.h"
 
 #include <algorithm>
@@ -18,9 +24,13 @@ namespace {
 
 using geometry::Delaunay;
 
-// A link is a diagonal if its components along the rows and across them, in pitches, differ by less than this factor:
-// between 0 (along an axis) and 1 (45°), nearer to the diagonal than to the axes by angle (tan 22.5°).
-constexpr double least_diagonal = 0.41421356;
+// A link is a diagonal if of its components along the rows and across them, in pitches, the lesser is at least this part of
+// the other. So perpends of two rows that are a fifth of a stone apart still meet. By trial on all plans of
+// benchmarks/packing_quality: with less stones are sheared more, and differ more in size; with more, longer runs of Ts bend
+// about sharp bends, where not all stones can keep four sides.
+constexpr double least_diagonal = 0.82;
+// The same where the bend is sharp: nearer to the diagonal than to the axes by angle (tan 22.5°).
+constexpr double least_sharp_diagonal = 0.41421356;
 
 struct Diagonal {
   double score = 0.0;  // 1 at 45°
@@ -30,7 +40,19 @@ struct Diagonal {
   std::uint32_t right_face = 0;
 };
 
-double diagonal_score(const Particle& a, const Particle& b, vec2 pitch) {
+// What tells whether a link between two particles is a diagonal.
+struct DiagonalRule {
+  vec2 pitch{1.0, 1.0};
+  double sharp_sine = 0.0;  // rows that turn by more from stone to stone bend sharply
+
+  double score(const Particle& a, const Particle& b) const;
+  double least(const Particle& a, const Particle& b) const {
+    const double turn = std::abs(cross(a.axis, turned_like(b.axis, a.axis, pitch.x == pitch.y)));
+    return turn > sharp_sine ? least_sharp_diagonal : least_diagonal;
+  }
+};
+
+double DiagonalRule::score(const Particle& a, const Particle& b) const {
   const vec2 q = mean_frame(a.axis, b.axis, pitch.x == pitch.y, pitch).into(b.at - a.at);
   const double u = std::abs(q.x);
   const double v = std::abs(q.y);
@@ -69,7 +91,8 @@ bool convex(const Diagonal& d, const Faces& faces, std::span<const Particle> par
   return (s > 0.0 && t < 0.0) || (s < 0.0 && t > 0.0);
 }
 
-std::vector<Diagonal> diagonals(const Delaunay& mesh, const Faces& faces, std::span<const Particle> particles, vec2 pitch) {
+std::vector<Diagonal> diagonals(const Delaunay& mesh, const Faces& faces, std::span<const Particle> particles,
+                                const DiagonalRule& rule) {
   std::vector<Diagonal> found;
   for (std::size_t p = 0; p < mesh.point_count(); ++p) {
     const auto around = mesh.around(p);
@@ -78,8 +101,9 @@ std::vector<Diagonal> diagonals(const Delaunay& mesh, const Faces& faces, std::s
       const std::uint32_t right = around[(k + around.size() - 1) % around.size()].face;
       if (around[k].neighbour < p || left == Delaunay::none || right == Delaunay::none) continue;
       if (faces.size[left] != 3 || faces.size[right] != 3) continue;
-      const double score = diagonal_score(particles[p], particles[around[k].neighbour], pitch);
-      if (score < least_diagonal) continue;
+      const Particle& other = particles[around[k].neighbour];
+      const double score = rule.score(particles[p], other);
+      if (score < rule.least(particles[p], other)) continue;
       found.push_back({score, static_cast<std::uint32_t>(p), around[k].neighbour, left, right});
       if (!convex(found.back(), faces, particles)) found.pop_back();
     }
@@ -136,11 +160,14 @@ geometry::Polygon Cells::outline(std::size_t cell) const {
   return polygon;
 }
 
-Cells cells_of(std::span<const Particle> particles, vec2 pitch_mm) {
+Cells cells_of(std::span<const Particle> particles, const Pavement& pavement) {
+  const vec2 pitch = pitch_mm(pavement);
+  // The sagitta of a stone's side, pitch · turn / 8, is not to be more than `largest_bulge` of a joint.
+  const DiagonalRule rule{pitch, 8.0 * largest_bulge * pavement.joint_mm / std::max(pitch.x, pitch.y)};
   std::vector<vec2> points(particles.size());
   std::ranges::transform(particles, points.begin(), &Particle::at);
   const Delaunay mesh = geometry::delaunay(points);
-  const auto stands = merged_faces(diagonals(mesh, faces_of(mesh), particles, pitch_mm), mesh.face_count);
+  const auto stands = merged_faces(diagonals(mesh, faces_of(mesh), particles, rule), mesh.face_count);
 
   Cells cells;
   cells.corners = face_centroids(mesh, stands, particles);

@@ -21,6 +21,9 @@ struct Cells {
   // Of a side, whether its first corner lies on the straight line between the one before and the next, where two neighbours
   // meet, and is left out of the outline. Empty where there are none.
   std::vector<bool> left_out;
+  // Of a side, whether its first corner lies so near to that line that the stone is laid without it, though the cell is not.
+  // Empty where there are none.
+  std::vector<bool> bulging;
 
   std::size_t count() const { return first.size() - 1; }
   geometry::Polygon outline(std::size_t cell) const;
@@ -29,6 +32,12 @@ struct Cells {
   }
 };
 
-Cells cells_of(std::span<const Particle> particles, vec2 pitch_mm);
+// The straight side of a stone departs from the border between cells by this part of a joint at most, where stones of a bent
+// row lie shifted against those of the next: so much may a joint between straight sides be wider or narrower in its middle.
+// By trial: with less, more stones about sharp bends have five corners.
+inline constexpr double largest_bulge = 0.2;
+
+// The cells of a packing for the pavement. Four meet in a corner, or three where the stones of two rows lie shifted.
+Cells cells_of(std::span<const Particle> particles, const Pavement& pavement);
 
 }  // namespace shatterpave::paving

@@ -3,6 +3,10 @@
 // joint; the joint that meets the straight side of a stone (a T) does so but for rounding. Together these move a side by less
 // than `hairline_mm`, by which every stone draws back at the least. So stones stay apart and within the area whatever the
 // joint.
+//
+// Straight sides depart from the cell by less than `largest_bulge` of the joint, where a stone draws back by half of it: so
+// every stone still lies in its cell. Only whole pieces get them; those that are cut or joined stay as
+// the cells are, which share their sides.
 #include "paving/cutting.h"
 
 #include <algorithm>
@@ -72,6 +76,17 @@ std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const 
   return pieces;
 }
 
+// Takes a whole piece to the straight sides that its stone is laid by.
+void straighten(Piece& piece, const Cells& cells) {
+  if (piece.cut || piece.outline_mm.size() < 5) return;
+  Polygon straight = piece.outline_mm;
+  for (std::size_t side = cells.first[piece.cell]; side < cells.first[piece.cell + 1]; ++side) {
+    if (cells.bulging[side]) std::erase(straight, cells.corners[cells.corner[side]]);
+  }
+  straight = geometry::cleaned(straight);
+  if (geometry::area(straight) > 0.0 && geometry::is_simple(straight)) piece.outline_mm = std::move(straight);
+}
+
 bool is_convex(const Polygon& polygon) {
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -126,7 +141,11 @@ std::vector<Piece> pieces_within(const Cells& cells, const Region& region, const
   std::vector<Piece> pieces;
   for (auto& some : of_cell) std::ranges::move(some, std::back_inserter(pieces));
   of_cell.clear();
-  return without_small(std::move(pieces), cells, size);
+  pieces = without_small(std::move(pieces), cells, size);
+  if (!cells.bulging.empty()) {
+    parallel_for(pieces.size(), [&](std::size_t p) { straighten(pieces[p], cells); });
+  }
+  return pieces;
 }
 
 }  // namespace shatterpave::paving

@@ -103,9 +103,9 @@ struct Setting {
 Setting packed_setting(const Pavement& pavement, const geometry::RegionIndex& area, const DirectionField& field,
                        std::uint64_t seed) {
   const auto particles = packed_particles(pavement, area, field, seed);
-  Cells cells = cells_of(particles, pitch_mm(pavement));
+  Cells cells = cells_of(particles, pavement);
   const bool exact = std::holds_alternative<ConstantDirection>(pavement.direction);
-  if (!exact) cells = settled_cells(std::move(cells), particles, pitch_mm(pavement), area);
+  if (!exact) cells = settled_cells(std::move(cells), particles, pavement, area);
   return {std::move(cells),
           [&field](const Piece&, const geometry::Polygon& face) { return field.angle(geometry::centroid(face)); }};
 }

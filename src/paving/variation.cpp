@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "geometry/clip.h"
 #include "geometry/lattice.h"
+#include "paving/cells.h"
 
 namespace shatterpave::paving {
 
@@ -31,7 +32,10 @@ geometry::Polygon moved(const geometry::Polygon& outline, const Pavement& paveme
     steps.push_back(middle + scale * rotated(p - middle, turn) + offset - p);
     farthest = std::max(farthest, std::sqrt(glm::dot(steps.back(), steps.back())));
   }
-  const double most = std::max(0.0, 0.5 * pavement.joint_mm - hairline_mm);
+  const bool straightened =
+      pavement.bonding.bond == Bond::packed && !std::holds_alternative<ConstantDirection>(pavement.direction);
+  const double own_part = 0.5 - (straightened ? largest_bulge : 0.0);
+  const double most = std::max(0.0, own_part * pavement.joint_mm - hairline_mm);
   const double part = farthest > most ? most / farthest : 1.0;
   geometry::Polygon result(outline.size());
   for (std::size_t i = 0; i < outline.size(); ++i) result[i] = geometry::on_lattice(outline[i] + part * steps[i]);

@@ -69,13 +69,12 @@ TEST(Laying, RadialRowsOnTheQuarterAnnulusMeetTheirTargets) {
     EXPECT_GT(q.stones, stone_mm > 100 ? 900U : 6500U);
     EXPECT_GT(q.whole, q.stones * 9 / 10);
     EXPECT_LE(q.mean_misalignment_deg, 1.5);
-    EXPECT_LE(q.p95_misalignment_deg, stone_mm > 100 ? 6.0 : 5.0);
+    EXPECT_LE(q.p95_misalignment_deg, 5.0);
     EXPECT_GE(q.four_sided, 0.98);
     EXPECT_GE(q.coverage, 0.995);
     EXPECT_GE(q.joint_p5, 0.9);
     EXPECT_LE(q.joint_p95, 1.1);
-    // With few stones to a row an irregular spot is a larger part of it.
-    EXPECT_LE(q.area_spread, stone_mm > 100 ? 0.12 : 0.08);
+    EXPECT_LE(q.area_spread, 0.08);
     EXPECT_GE(q.smallest, least_piece);
   }
 }

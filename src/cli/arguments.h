@@ -12,7 +12,7 @@
 
 namespace shatterpave::cli {
 
-enum class Target { povray, json, svg };
+enum class Target { povray, json, svg, textures };
 
 struct Export {
   std::filesystem::path scene;

@@ -1,5 +1,8 @@
 #include "cli/export_job.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "cli/terminal.h"
 #include "core/error.h"
 #include "core/parallel.h"
@@ -11,26 +14,28 @@
 
 namespace shatterpave::cli {
 
-std::vector<exporting::OutputFile> files_without_rasters(const exporting::Model& model, Target target) {
-  ENSURE(target != Target::povray);
-  if (target == Target::json) return {exporting::json_file(model)};
-  return exporting::svg_files(model);
+void append_without_rasters(const exporting::Model& model, Target target, exporting::Outputs& outputs) {
+  ENSURE(target == Target::json || target == Target::svg);
+  if (target == Target::json) {
+    outputs.files.push_back(exporting::json_file(model));
+  } else {
+    std::ranges::move(exporting::svg_files(model), std::back_inserter(outputs.files));
+  }
 }
 
-void export_scene(const Export& job, const FilesOfTarget& files_of_target) {
+void export_scene(const Export& job, const AppendTarget& append_target) {
   const ThreadLimit limit(job.threads);
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
   pipeline::require_output_folder(job.output);
-  std::vector<exporting::OutputFile> files;
+  exporting::Model model;
+  exporting::Outputs outputs;
   {
     ProgressBar bar;
-    const exporting::Model model = pipeline::generated(scene, bar.progress());
-    for (const Target target : job.targets) {
-      for (exporting::OutputFile& file : files_of_target(model, target)) files.push_back(std::move(file));
-    }
+    model = pipeline::generated(scene, bar.progress());
+    for (const Target target : job.targets) append_target(model, target, outputs);
   }
   const SignalNotes notes;
-  print_paths(pipeline::written(files, job.output, SignalNotes::received));
+  print_paths(pipeline::written(outputs, job.output, SignalNotes::received));
 }
 
 }  // namespace shatterpave::cli

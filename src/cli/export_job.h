@@ -2,19 +2,19 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "cli/arguments.h"
 #include "export/model.h"
 
 namespace shatterpave::cli {
 
-using FilesOfTarget = std::function<std::vector<exporting::OutputFile>(const exporting::Model&, Target)>;
+// Adds the files of a target.
+using AppendTarget = std::function<void(const exporting::Model&, Target, exporting::Outputs&)>;
 
 // JSON and SVG.
-std::vector<exporting::OutputFile> files_without_rasters(const exporting::Model& model, Target target);
+void append_without_rasters(const exporting::Model& model, Target target, exporting::Outputs& outputs);
 
 // Generates the scene and writes the files of all its targets.
-void export_scene(const Export& job, const FilesOfTarget& files_of_target);
+void export_scene(const Export& job, const AppendTarget& append_target);
 
 }  // namespace shatterpave::cli

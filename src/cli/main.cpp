@@ -27,10 +27,11 @@ using namespace shatterpave;
 enum ExitStatus { done = 0, program_failed = 1, input_wrong = 2, renderer_failed = 3 };
 
 void run(const cli::Export& job, char** argv) {
-  if (std::ranges::find(job.targets, cli::Target::povray) != job.targets.end()) {
+  const auto has_rasters = [](cli::Target target) { return target == cli::Target::povray || target == cli::Target::textures; };
+  if (std::ranges::any_of(job.targets, has_rasters)) {
     cli::run_with_rasters(job, argv);
   } else {
-    cli::export_scene(job, cli::files_without_rasters);
+    cli::export_scene(job, cli::append_without_rasters);
   }
 }
 

@@ -1,10 +1,14 @@
 // In `shatterpave-rasters`: does the job.
 #include "cli/raster_jobs.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "cli/export_job.h"
 #include "cli/terminal.h"
 #include "core/parallel.h"
 #include "export/povray/povray.h"
+#include "export/textures/textures.h"
 #include "pipeline/generate.h"
 #include "pipeline/render.h"
 #include "pipeline/write.h"
@@ -13,8 +17,14 @@
 namespace shatterpave::cli {
 
 void run_with_rasters(const Export& job, char** /*argv*/) {
-  export_scene(job, [](const exporting::Model& model, Target target) {
-    return target == Target::povray ? exporting::povray::povray_files(model) : files_without_rasters(model, target);
+  export_scene(job, [](const exporting::Model& model, Target target, exporting::Outputs& outputs) {
+    if (target == Target::povray) {
+      std::ranges::move(exporting::povray::povray_files(model), std::back_inserter(outputs.files));
+    } else if (target == Target::textures) {
+      std::ranges::move(exporting::textures::texture_files(model), std::back_inserter(outputs.sets));
+    } else {
+      append_without_rasters(model, target, outputs);
+    }
   });
 }
 

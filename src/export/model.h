@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,18 @@ struct Model {
 struct OutputFile {
   std::string name;     // relative to the output folder, no folders
   std::string content;  // bytes
+};
+
+// Files that are too large for memory, and are written together.
+struct FileSet {
+  std::vector<std::string> names;                        // as those of `OutputFile`
+  std::function<void(const std::string& folder)> write;  // writes all of them into the folder; the model must still be there
+};
+
+// What exporters make of a model.
+struct Outputs {
+  std::vector<OutputFile> files;
+  std::vector<FileSet> sets;
 };
 
 }  // namespace shatterpave::exporting

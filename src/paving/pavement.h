@@ -7,6 +7,7 @@
 
 #include "core/angle.h"
 #include "geometry/polygon.h"
+#include "paving/texture_set.h"
 
 namespace shatterpave::paving {
 
@@ -110,6 +111,7 @@ struct Pavement {
   StoneSurface surface;
   Variation variation;
   Relief relief;
+  TextureSet textures;
 
   bool operator==(const Pavement&) const = default;
 };

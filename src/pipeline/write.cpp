@@ -132,18 +132,30 @@ std::vector<fs::path> published(Workplace& workplace, const std::vector<std::str
   return paths;
 }
 
-std::vector<fs::path> written(const std::vector<exporting::OutputFile>& files, const fs::path& output,
-                              const Cancelled& cancelled) {
+std::vector<fs::path> written(const exporting::Outputs& outputs, const fs::path& output, const Cancelled& cancelled) {
   require_output_folder(output);
   Workplace workplace(output);
   std::vector<std::string> names;
-  for (const exporting::OutputFile& file : files) {
-    ENSURE(file.name == fs::path(file.name).filename() && std::ranges::find(names, file.name) == names.end());
+  const auto take = [&](const std::string& name) {
+    ENSURE(name == fs::path(name).filename() && std::ranges::find(names, name) == names.end());
+    names.push_back(name);
+  };
+  for (const exporting::OutputFile& file : outputs.files) {
+    take(file.name);
     write_file(workplace.folder() / file.name, file.content);
-    names.push_back(file.name);
+    if (cancelled && cancelled()) throw Interrupted();
+  }
+  for (const exporting::FileSet& set : outputs.sets) {
+    std::ranges::for_each(set.names, take);
+    set.write(workplace.folder().string());
     if (cancelled && cancelled()) throw Interrupted();
   }
   return published(workplace, names, output);
+}
+
+std::vector<fs::path> written(const std::vector<exporting::OutputFile>& files, const fs::path& output,
+                              const Cancelled& cancelled) {
+  return written(exporting::Outputs{files, {}}, output, cancelled);
 }
 
 }  // namespace shatterpave::pipeline

@@ -50,5 +50,8 @@ std::vector<std::filesystem::path> published(Workplace& workplace, const std::ve
 // Writes all files, in order, into `output`. Returns their paths. On any exception, also Interrupted, the folder is as it was.
 std::vector<std::filesystem::path> written(const std::vector<exporting::OutputFile>& files, const std::filesystem::path& output,
                                            const Cancelled& cancelled = {});
+// The same with sets of large files, which follow.
+std::vector<std::filesystem::path> written(const exporting::Outputs& outputs, const std::filesystem::path& output,
+                                           const Cancelled& cancelled = {});
 
 }  // namespace shatterpave::pipeline

@@ -1,22 +1,11 @@
 #include "relief/raster.h"
 
-// OpenImageIO's headers hold a copy of {fmt}. Here it has a name of its own: else this object would hold symbols of {fmt}
-// itself, and programs that use no rasters would be linked with it, and so with OpenImageIO, for their sake.
-#define FMT_BEGIN_NAMESPACE \
-  namespace fmt {           \
-  inline namespace of_openimageio {
-#define FMT_END_NAMESPACE \
-  }                       \
-  }
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <memory>
 
 #include "core/error.h"
 #include "core/functions.h"
+#include "relief/openimageio.h"
 
 namespace shatterpave::relief {
 

@@ -110,6 +110,25 @@ void read_relief(const TomlTable& pavement, paving::Relief& relief) {
   table->read("hurst", {0.0, 1.0}, relief.hurst);
 }
 
+geometry::Box texture_area(const TomlTable& table) {
+  const PlacedPoints corners = *table.points("area_mm", coordinate_range);
+  const bool is_box =
+      corners.points.size() == 2 && corners.points[0].x < corners.points[1].x && corners.points[0].y < corners.points[1].y;
+  if (!is_box) refuse(corners.place, "the lower left and the upper right corner", "other points");
+  return {corners.points[0], corners.points[1]};
+}
+
+void read_textures(const TomlTable& pavement, paving::TextureSet& textures) {
+  using paving::TextureFormat;
+  constexpr std::array formats = {TextureFormat::png, TextureFormat::exr, TextureFormat::tiled_exr};
+  const auto table = pavement.table("textures", {"size_px", "area_mm", "format"});
+  if (!table) return;
+  const auto size = table->whole_number("size_px", 256, 16384);
+  if (size) textures.size_px = static_cast<std::size_t>(*size);
+  if (table->has("area_mm")) textures.area = texture_area(*table);
+  textures.format = formats.at(table->choice("format", {"png", "exr", "tiled_exr"}).value_or(0));
+}
+
 void limit_stones(const TomlTable& table, const paving::Pavement& pavement, const std::vector<geometry::Region>& areas) {
   const vec2 pitch = pavement.stone_mm + vec2(pavement.joint_mm);
   double count = 0.0;
@@ -132,6 +151,7 @@ paving::Pavement pavement_of(const TomlTable& table, Plans& plans) {
   read_surface(table, pavement.surface);
   read_variation(table, pavement.variation);
   read_relief(table, pavement.relief);
+  read_textures(table, pavement.textures);
   return pavement;
 }
 
@@ -164,7 +184,7 @@ std::vector<paving::Pavement> pavements_of(const TomlTable& root, Plans& plans, 
                     "holes_feature", "holes_class",      "holes_width_mm", "within_feature", "within_class",
                     "stone_preset",  "stone_mm",         "joint_mm",       "direction",      "bond",
                     "bond_offset",   "bond_turn_deg",    "bond_span_mm",   "border_course",  "border_stone_mm",
-                    "surface",       "variation",        "relief"})) {
+                    "surface",       "variation",        "relief",         "textures"})) {
     append_pavements(table, plans, names, pavements);
   }
   return pavements;

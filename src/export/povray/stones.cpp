@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "core/parallel.h"
+#include "export/stone_relief.h"
 #include "geometry/lattice.h"
 #include "paving/stone_surface.h"
-#include "relief/fractal_surface.h"
 #include "relief/raster.h"
 
 namespace shatterpave::exporting::povray {
@@ -24,30 +24,19 @@ using paving::StoneDraws;
 
 // ---- the relief
 
-constexpr std::size_t relief_size = 1024;
-
-// Points of the relief on a stone: as many as a stone takes pixels in a close view, so that the image is about five stones
-// wide. By eye: with 100 a stone at the feet of the viewer looks smooth.
-constexpr double relief_points_on_stone = 200.0;
-
 struct ReliefImage {
   std::string png;
   double side_mm = 1.0;    // of the periodic image
   double bump_size = 0.0;  // range of the heights over the spacing of the pixels
 };
 
-double mean_size_mm(const paving::Pavement& pavement) { return std::sqrt(pavement.stone_mm.x * pavement.stone_mm.y); }
-
 ReliefImage relief_image(const paving::Pavement& pavement, std::uint64_t seed) {
-  const double spacing_mm = mean_size_mm(pavement) / relief_points_on_stone;
+  const relief::FractalSurface surface = stone_relief(pavement);
   ReliefImage image;
-  image.side_mm = spacing_mm * static_cast<double>(relief_size);
+  image.side_mm = surface.spacing_mm * static_cast<double>(surface.size);
   if (pavement.relief.rms_mm == 0.0) return image;
-  const relief::FractalSurface surface{relief_size, spacing_mm, pavement.relief.rms_mm, pavement.relief.hurst,
-                                       mean_size_mm(pavement)};
-  const relief::HeightImage heights =
-      relief::height_image(relief::fractal_surface(surface, seed, Id(pavement.name).child("relief")));
-  image.bump_size = heights.range_mm / spacing_mm;
+  const relief::HeightImage heights = relief::height_image(stone_relief_heights(pavement, seed));
+  image.bump_size = heights.range_mm / surface.spacing_mm;
   image.png = relief::encoded(heights.raster, relief::RasterFormat::png16);
   return image;
 }

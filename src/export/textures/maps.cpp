@@ -1,0 +1,218 @@
+#include "export/textures/maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "export/textures/bed.h"
+#include "export/textures/occlusion.h"
+#include "export/textures/palette.h"
+#include "paving/stone_surface.h"
+
+namespace shatterpave::exporting::textures {
+
+namespace {
+
+using relief::PeriodicField;
+
+// Grains of stone are this much coarser than those of sand.
+constexpr double mineral_scale = 1.6;
+
+constexpr std::size_t stones_at_once = 256;
+constexpr std::size_t rows_at_once = 64;
+
+// The lowest and the highest of the window.
+HeightRange range_of(const SurfaceMap& map) {
+  const std::size_t chunks = (map.grid.height + rows_at_once - 1) / rows_at_once;
+  std::vector<std::pair<float, float>> found(chunks);
+  parallel_for(chunks, [&](std::size_t chunk) {
+    const float* first = &map.height_mm[map.index(0, chunk * rows_at_once)];
+    float low = *first;
+    float high = *first;
+    for (std::size_t row = chunk * rows_at_once; row < std::min(map.grid.height, (chunk + 1) * rows_at_once); ++row) {
+      const float* heights = &map.height_mm[map.index(0, row)];
+      for (std::size_t x = 0; x < map.grid.width; ++x) {
+        low = std::min(low, heights[x]);
+        high = std::max(high, heights[x]);
+      }
+    }
+    found[chunk] = {low, high};
+  });
+  float low = found.front().first;
+  float high = found.front().second;
+  for (const auto& [least, most] : found) {
+    low = std::min(low, least);
+    high = std::max(high, most);
+  }
+  return {static_cast<double>(low), static_cast<double>(high) - static_cast<double>(low)};
+}
+
+void normal_row(const SurfaceMap& map, std::size_t row, std::span<float> values) {
+  const auto length = static_cast<std::ptrdiff_t>(map.row_length());
+  const float* here = &map.height_mm[map.index(0, row)];
+  const auto half_x = static_cast<float>(0.5 / map.grid.pixel_mm.x);
+  const auto half_y = static_cast<float>(0.5 / map.grid.pixel_mm.y);
+  for (std::size_t column = 0; column < map.grid.width; ++column) {
+    const float* at = here + column;
+    const float x = (at[-1] - at[1]) * half_x;
+    const float y = (at[length] - at[-length]) * half_y;  // rows go down, y up
+    const float half = 0.5F / std::sqrt(x * x + y * y + 1.0F);
+    values[3 * column] = 0.5F + half * x;
+    values[3 * column + 1] = 0.5F + half * y;
+    values[3 * column + 2] = 0.5F + half;
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(Map map) {
+  switch (map) {
+    case Map::base_color:
+      return "BaseColor";
+    case Map::roughness:
+      return "Roughness";
+    case Map::normal:
+      return "Normal";
+    case Map::height:
+      return "Height";
+    case Map::ambient_occlusion:
+      return "AmbientOcclusion";
+    case Map::stone_id:
+      return "ID";
+  }
+  ENSURE(false);
+  return {};
+}
+
+std::size_t channels(Map map) { return map == Map::base_color || map == Map::normal || map == Map::stone_id ? 3 : 1; }
+
+// What colour and roughness need, made once.
+struct Maps::Looks {
+  struct Stone {
+    vec2 centre{0.0, 0.0};
+    vec2 relief_place{0.0, 0.0};
+    double drawn = 0.0;
+    Colour colour;
+  };
+
+  Looks(const Surface& surface, const SurfaceMap& map)
+      : grid(map.grid),
+        periodic(surface.periodic),
+        bed(surface.pavement, surface.fields.grain, map.grid, map.grid.pixel_mm.y),
+        minerals(surface.fields.grain, map.grid.pixel_mm.y / mineral_scale),
+        relief_side_mm(surface.fields.relief_side_mm),
+        stones(surface.stones.size()) {
+    const double rms_mm = surface.pavement.relief.rms_mm;
+    if (rms_mm > 0.0) {
+      relief.emplace(surface.fields.relief, map.grid.pixel_mm.y);
+      per_rms = static_cast<float>(1.0 / rms_mm);
+    }
+    const paving::StoneSurface& top = surface.pavement.surface;
+    // Of the single patch of the highest stone, see paving/stone_surface.h.
+    per_top = static_cast<float>(1.0 / std::max(1e-3, 0.5625 * top.height_mm * (1.0 + top.height_spread)));
+    level = top.height_mm == 0.0;
+    parallel_for_chunks(stones.size(), stones_at_once, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) {
+        const paving::StoneDraws draws = paving::stone_draws(surface.pavement, surface.seed, surface.stones[s].id);
+        stones[s] = {geometry::centroid(surface.stones[s].outline_mm), draws.relief_place, draws.colour,
+                     stone_colour(draws.colour)};
+      }
+    });
+  }
+
+  // What is seen of a stone at a pixel of the window.
+  Place place(const Stone& stone, std::size_t column, std::size_t row, float height) const {
+    vec2 from_centre = grid.centre(static_cast<double>(column), static_cast<double>(row)) - stone.centre;
+    if (periodic) from_centre -= grid.size_mm() * glm::round(from_centre / grid.size_mm());
+    Place place;
+    const vec2 in_relief = stone.relief_place + from_centre / relief_side_mm;
+    if (relief) place.relief = per_rms * relief->at(PeriodicField::phase(in_relief.x), PeriodicField::phase(in_relief.y));
+    const vec2 in_grain = stone.relief_place + from_centre / (mineral_scale * grain_side_mm);
+    place.grain = minerals.at(PeriodicField::phase(in_grain.x), PeriodicField::phase(in_grain.y));
+    place.rise = level ? 1.0F : height * per_top;
+    return place;
+  }
+
+  float bed_grain(std::size_t column, std::size_t row) const {
+    return bed.grain(bed.phase_x((static_cast<double>(column) + 0.5) / static_cast<double>(grid.width)),
+                     bed.phase_y((static_cast<double>(row) + 0.5) / static_cast<double>(grid.height)));
+  }
+
+  PixelGrid grid;
+  bool periodic;
+  Bed bed;
+  PeriodicField minerals;
+  double relief_side_mm;
+  std::optional<PeriodicField> relief;
+  float per_rms = 0.0F;
+  float per_top = 1.0F;
+  bool level = false;
+  std::vector<Stone> stones;
+};
+
+Maps::Maps(const Surface& surface, const SurfaceMap& map)
+    : surface_(surface), map_(map), range_(range_of(map)), looks_(std::make_unique<const Looks>(surface, map)) {}
+Maps::~Maps() = default;
+
+HeightRange Maps::height_range() const { return range_; }
+
+void Maps::id_row(std::size_t row, std::span<float> values) const {
+  const std::uint32_t* stones = &map_.stone[map_.index(0, row)];
+  for (std::size_t x = 0; x < map_.grid.width; ++x) {
+    values[x] = stones[x] == 0 ? 0.0F : static_cast<float>(surface_.stones[stones[x] - 1].id + 1);
+  }
+}
+
+void Maps::row(Map map, std::size_t row, std::span<float> values) const {
+  ENSURE(values.size() == map_.grid.width * channels(map) && row < map_.grid.height);
+  const std::size_t first = map_.index(0, row);
+  switch (map) {
+    case Map::normal:
+      normal_row(map_, row, values);
+      return;
+    case Map::ambient_occlusion:
+      occlusion_row(map_, row, values);
+      return;
+    case Map::height: {
+      const auto low = static_cast<float>(range_.low_mm);
+      const auto scale = static_cast<float>(range_.range_mm > 0.0 ? 1.0 / range_.range_mm : 0.0);
+      for (std::size_t x = 0; x < values.size(); ++x) values[x] = (map_.height_mm[first + x] - low) * scale;
+      return;
+    }
+    case Map::stone_id:
+      for (std::size_t x = 0; x < map_.grid.width; ++x) {
+        const std::uint32_t stone = map_.stone[first + x];
+        const std::uint32_t colour = stone == 0 ? 0 : id_colour(static_cast<std::uint32_t>(surface_.stones[stone - 1].id));
+        for (std::size_t c = 0; c < 3; ++c) values[3 * x + c] = static_cast<float>((colour >> (16 - 8 * c)) & 0xFFU) / 255.0F;
+      }
+      return;
+    case Map::base_color:
+    case Map::roughness:
+      break;
+  }
+  // Where stones and joints share a pixel, both are mixed.
+  for (std::size_t x = 0; x < map_.grid.width; ++x) {
+    const std::uint32_t stone = map_.stone[first + x];
+    const std::uint8_t cover = map_.cover[first + x];
+    const float part = static_cast<float>(cover) / 255.0F;
+    const bool has_stone = cover > 0 && stone != 0;
+    const float grain = cover < 255 || !has_stone ? looks_->bed_grain(x, row) : 0.0F;
+    const Looks::Stone* look = has_stone ? &looks_->stones[stone - 1] : nullptr;
+    const Place place = has_stone ? looks_->place(*look, x, row, map_.height_mm[first + x]) : Place{};
+    if (map == Map::roughness) {
+      const float bed = bed_roughness(grain);
+      values[x] = has_stone ? bed + part * (stone_roughness(look->drawn, place) - bed) : bed;
+      continue;
+    }
+    const Colour bed = bed_colour(grain);
+    const Colour colour = has_stone ? mixed(bed, stone_colour_at(look->colour, place), part) : bed;
+    values[3 * x] = colour.red;
+    values[3 * x + 1] = colour.green;
+    values[3 * x + 2] = colour.blue;
+  }
+}
+
+}  // namespace shatterpave::exporting::textures

@@ -1,0 +1,22 @@
+// Ambient occlusion of a surface map.
+//
+// From each pixel the horizon is looked for in eight directions, at distances that grow as the Fibonacci numbers. A horizon of
+// slope s >= 0 leaves 1 / (1 + s²), the square of the cosine of its angle, of what a level place would get from an even sky in
+// that direction; the mean over the directions is what the pixel gets. The cost goes with the pixels, and as the logarithm of
+// the reach.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "export/textures/surface_map.h"
+
+namespace shatterpave::exporting::textures {
+
+// How far the surface about a pixel matters, in pixels: the halo that the map must have. At least 1, at most 89.
+std::size_t occlusion_reach(const paving::Pavement& pavement, const PixelGrid& grid);
+
+// Of a row of the window, 0 (dark) … 1 (open); as many as the window has columns.
+void occlusion_row(const SurfaceMap& map, std::size_t row, std::span<float> open);
+
+}  // namespace shatterpave::exporting::textures

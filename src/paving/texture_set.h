@@ -1,0 +1,28 @@
+// What a scene may say of the texture maps of a pavement.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "geometry/polygon.h"
+
+namespace shatterpave::paving {
+
+enum class TextureFormat {
+  png,       // 8 bits, 16 for height and normal; base colour in sRGB
+  exr,       // half float, float for height and stone id; base colour linear
+  tiled_exr  // the same in tiles, with all smaller sizes in the same file (mip maps)
+};
+
+struct TextureSet {
+  std::size_t size_px = 2048;         // of the longer side, 16 … 16384
+  std::optional<geometry::Box> area;  // the part of the plane, mm; none: the bounding box of the pavement's area
+  TextureFormat format = TextureFormat::png;
+};
+
+inline bool operator==(const TextureSet& a, const TextureSet& b) {
+  return a.size_px == b.size_px && a.format == b.format && a.area.has_value() == b.area.has_value() &&
+         (!a.area || (a.area->low == b.area->low && a.area->high == b.area->high));
+}
+
+}  // namespace shatterpave::paving

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "glass/network.h"
 #include "glass/pane.h"
 #include "paving/pavement.h"
+#include "paving/seamless.h"
 #include "paving/stones.h"
 
 namespace shatterpave::exporting {
@@ -22,6 +24,7 @@ struct BrokenPane {
 struct PavedArea {
   paving::Pavement pavement;
   paving::StoneLayout layout;
+  std::optional<paving::SeamlessTile> tile{};  // where its textures ask for one
 };
 
 struct Model {

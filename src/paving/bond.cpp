@@ -90,6 +90,20 @@ Angle main_direction(const Pavement& pavement) {
   return {};
 }
 
+std::optional<Pattern> periodic_pattern(const Pavement& pavement) {
+  const Bond bond = pavement.bonding.bond;
+  if (bond == Bond::ashlar || bond == Bond::crazy) return std::nullopt;
+  const bool straight = std::holds_alternative<ConstantDirection>(pavement.direction);
+  if (!straight && (is_rows(bond) || bond == Bond::packed)) return std::nullopt;
+  return bond == Bond::packed ? rows_pattern(pitch_mm(pavement), 0.0) : pattern_of(pavement);
+}
+
+Angle pattern_direction(const Pavement& pavement) {
+  const Angle along = main_direction(pavement) + pavement.bonding.turn;
+  // Its pattern's own u runs along the steps.
+  return pavement.bonding.bond == Bond::herringbone ? along + Angle::degrees(45.0) : along;
+}
+
 std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed) {
   const Bonding& bonding = pavement.bonding;
   const auto* radial = std::get_if<RadialDirection>(&pavement.direction);
@@ -98,10 +112,7 @@ std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionInd
   }
   const bool straight = std::holds_alternative<ConstantDirection>(pavement.direction);
   if (!straight && is_rows(bonding.bond)) return parallel_tiles(pavement, pitch_mm(pavement), row_offset(bonding), area);
-  Angle along = main_direction(pavement) + bonding.turn;
-  // Its pattern's own u runs along the steps.
-  if (bonding.bond == Bond::herringbone) along = along + Angle::degrees(45.0);
-  const Placement placement = anchored(area, along.direction());
+  const Placement placement = anchored(area, pattern_direction(pavement).direction());
   const Id id(pavement.name);
   if (bonding.bond == Bond::ashlar) return ashlar_tiles(pitch_mm(pavement), placement, area, seed, id);
   if (bonding.bond == Bond::crazy) return crazy_tiles(pitch_mm(pavement), placement, area, seed, id);

@@ -21,9 +21,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/region_index.h"
+#include "paving/pattern.h"
 #include "paving/pavement.h"
 #include "paving/tiling.h"
 
@@ -35,6 +37,12 @@ Angle main_direction(const Pavement& pavement);
 
 // The angle of an axis, whose sign means nothing, in (−90°, 90°].
 Angle axis_angle(vec2 axis);
+
+// The pattern of a bond that repeats, packed stones in one direction among them, with u along the rows; nothing where rows bend
+// or stones are mixed at random.
+std::optional<Pattern> periodic_pattern(const Pavement& pavement);
+// The direction of its u.
+Angle pattern_direction(const Pavement& pavement);
 
 // The tiles of the pavement's bond, which is not `packed`, over all of the area: they may reach beyond its border.
 std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed);

@@ -18,11 +18,13 @@ struct TextureSet {
   std::size_t size_px = 2048;         // of the longer side, 16 … 16384
   std::optional<geometry::Box> area;  // the part of the plane, mm; none: the bounding box of the pavement's area
   TextureFormat format = TextureFormat::png;
+  bool seamless = false;        // instead of that part a tile that meets itself on all sides (paving/seamless.h)
+  std::optional<vec2> tile_mm;  // its width and height; none: near ten stones
 };
 
 inline bool operator==(const TextureSet& a, const TextureSet& b) {
-  return a.size_px == b.size_px && a.format == b.format && a.area.has_value() == b.area.has_value() &&
-         (!a.area || (a.area->low == b.area->low && a.area->high == b.area->high));
+  return a.size_px == b.size_px && a.format == b.format && a.seamless == b.seamless && a.tile_mm == b.tile_mm &&
+         a.area.has_value() == b.area.has_value() && (!a.area || (a.area->low == b.area->low && a.area->high == b.area->high));
 }
 
 }  // namespace shatterpave::paving

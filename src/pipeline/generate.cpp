@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "glass/growth.h"
 #include "paving/laying.h"
+#include "paving/seamless.h"
 
 namespace shatterpave::pipeline {
 
@@ -27,6 +28,7 @@ exporting::Model generated(const scene::Scene& scene, const Progress& progress) 
     } else {
       exporting::PavedArea& paved = model.pavements[i - panes];
       paved.layout = paving::laid_stones(paved.pavement, scene.seed);
+      if (paved.pavement.textures.seamless) paved.tile = paving::seamless_tile(paved.pavement, scene.seed);
     }
     const std::scoped_lock lock(reporting);
     ++done;

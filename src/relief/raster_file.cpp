@@ -94,6 +94,7 @@ class RasterFile::Writer {
     ENSURE(done_ == level_.height);
     while (tiled_ && !is_last(level_)) begin_smaller();
     if (!output_->close()) fail(output_->geterror());
+    output_.reset();  // with tiles, the last of the file is only written here
   }
 
  private:

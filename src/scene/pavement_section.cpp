@@ -121,11 +121,15 @@ geometry::Box texture_area(const TomlTable& table) {
 void read_textures(const TomlTable& pavement, paving::TextureSet& textures) {
   using paving::TextureFormat;
   constexpr std::array formats = {TextureFormat::png, TextureFormat::exr, TextureFormat::tiled_exr};
-  const auto table = pavement.table("textures", {"size_px", "area_mm", "format"});
+  const auto table = pavement.table("textures", {"size_px", "area_mm", "format", "seamless", "tile_mm"});
   if (!table) return;
   const auto size = table->whole_number("size_px", 256, 16384);
   if (size) textures.size_px = static_cast<std::size_t>(*size);
+  textures.seamless = table->flag("seamless").value_or(false);
   if (table->has("area_mm")) textures.area = texture_area(*table);
+  if (textures.area && textures.seamless) refuse(table->place("area_mm"), "no area_mm beside seamless", "one");
+  textures.tile_mm = table->point("tile_mm", {1.0, 100'000.0});
+  if (textures.tile_mm && !textures.seamless) refuse(table->place("tile_mm"), "seamless = true beside it", "none");
   textures.format = formats.at(table->choice("format", {"png", "exr", "tiled_exr"}).value_or(0));
 }
 

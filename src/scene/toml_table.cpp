@@ -145,6 +145,13 @@ std::optional<std::int64_t> TomlTable::whole_number(std::string_view key, std::i
   return value;
 }
 
+std::optional<bool> TomlTable::flag(std::string_view key) const {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_boolean()) refuse(place(key), "true or false", description(*node));
+  return node->as_boolean()->get();
+}
+
 std::optional<std::string> TomlTable::text(std::string_view key) const {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;

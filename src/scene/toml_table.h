@@ -62,6 +62,7 @@ class TomlTable {
   // Each returns nothing where the key is missing, and throws InputError where its value is not as it should be.
   std::optional<double> number(std::string_view key, const Range& range) const;
   std::optional<std::int64_t> whole_number(std::string_view key, std::int64_t low, std::int64_t high) const;
+  std::optional<bool> flag(std::string_view key) const;
   std::optional<std::string> text(std::string_view key) const;
   // A whole number from 0 or a text, or a list of them; empty where the key is missing.
   std::vector<std::variant<std::size_t, std::string>> indices_or_texts(std::string_view key) const;

@@ -168,12 +168,18 @@ TEST(ReadScene, EveryGrowthKeyReachesItsValue) {
 TEST(ReadScene, EveryPavementKeyReachesItsValue) {
   const paving::Pavement p =
       read(path("stone_mm = [120, 80]\njoint_mm = 4\n[pavement.surface]\nheight_mm = 9\nheight_spread = 0.1\n"
-                "inset = 0.2\ninset_spread = 0.4\n[pavement.relief]\nrms_mm = 0.3\nhurst = 0.5\n"))
+                "inset = 0.2\ninset_spread = 0.4\n[pavement.relief]\nrms_mm = 0.3\nhurst = 0.5\n"
+                "[pavement.textures]\nsize_px = 512\narea_mm = [[1, 2], [3, 5]]\nformat = \"tiled_exr\"\n"))
           .pavements[0];
   EXPECT_EQ(p.stone_mm, vec2(120, 80));
   EXPECT_EQ(p.joint_mm, 4.0);
   EXPECT_EQ(p.surface, (paving::StoneSurface{9, 0.1, 0.2, 0.4}));
   EXPECT_EQ(p.relief, (paving::Relief{0.3, 0.5}));
+  paving::TextureSet textures;
+  textures.size_px = 512;
+  textures.area = geometry::Box{{1.0, 2.0}, {3.0, 5.0}};
+  textures.format = paving::TextureFormat::tiled_exr;
+  EXPECT_EQ(p.textures, textures);
 }
 
 TEST(ReadScene, StonePresetIsASizeThatKeysBesideItOverrule) {

@@ -15,15 +15,20 @@ namespace {
 constexpr double sand_rms_mm = 0.3;
 constexpr double part_of_level = 0.4;
 
-vec2 whole_repeats(vec2 size_mm) {
-  return {std::max(1.0, std::round(size_mm.x / grain_side_mm)), std::max(1.0, std::round(size_mm.y / grain_side_mm))};
+// Patches of damp and of what was swept in are this much larger than grains; by eye.
+constexpr double patch_scale = 12.0;
+
+vec2 whole_repeats(vec2 size_mm, double side_mm) {
+  return {std::max(1.0, std::round(size_mm.x / side_mm)), std::max(1.0, std::round(size_mm.y / side_mm))};
 }
 
 }  // namespace
 
 Bed::Bed(const paving::Pavement& pavement, const relief::HeightField& grains, const PixelGrid& grid, double sampled_mm)
-    : grain_(grains, sampled_mm),
-      repeats_(whole_repeats(grid.size_mm())),
+    : grains_(grains, sampled_mm),
+      patches_(grains, sampled_mm / patch_scale),
+      grain_repeats_(whole_repeats(grid.size_mm(), grain_side_mm)),
+      patch_repeats_(whole_repeats(grid.size_mm(), patch_scale * grain_side_mm)),
       level_mm_(static_cast<float>(paving::bed_level_mm(pavement.surface))),
       grain_mm_(static_cast<float>(std::min(sand_rms_mm, part_of_level * paving::bed_level_mm(pavement.surface)))) {}
 

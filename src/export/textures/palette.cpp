@@ -42,7 +42,7 @@ constexpr Colour stain{0.105F, 0.088F, 0.068F};
 constexpr float stained_below = 0.08F;
 constexpr float clean_above = 0.36F;
 
-constexpr std::array<Stop, 2> sand = {{{-2.0F, {0.060F, 0.048F, 0.034F}}, {2.0F, {0.215F, 0.172F, 0.123F}}}};
+constexpr std::array<Stop, 2> sand = {{{-2.0F, {0.045F, 0.038F, 0.029F}}, {2.0F, {0.205F, 0.172F, 0.130F}}}};
 
 Colour between_stops(std::span<const Stop> stops, float at) {
   if (at <= stops.front().at) return stops.front().colour;

@@ -196,20 +196,20 @@ class Drawing {
   }
 
   float bed_height(std::size_t column, std::size_t row) const { return bed_.height_mm(bed_.grain(bed_x(column), bed_y(row))); }
-  std::uint32_t bed_x(std::size_t column) const {
+  Bed::Phase bed_x(std::size_t column) const {
     const auto halo = static_cast<double>(map_.halo * samples_);
     return bed_.phase_x((static_cast<double>(column) + 0.5 - halo) / static_cast<double>(map_.grid.width * samples_));
   }
-  std::uint32_t bed_y(std::size_t row) const {
+  Bed::Phase bed_y(std::size_t row) const {
     const auto halo = static_cast<double>(map_.halo * samples_);
     return bed_.phase_y((static_cast<double>(row) + 0.5 - halo) / static_cast<double>(map_.grid.height * samples_));
   }
 
   void fill_joints(Band& band) const {
-    std::vector<std::uint32_t> x(columns());
+    std::vector<Bed::Phase> x(columns());
     for (std::size_t column = 0; column < columns(); ++column) x[column] = bed_x(column);
     for (std::size_t row = 0; row < band.rows; ++row) {
-      const std::uint32_t y = bed_y(band.first_row + row);
+      const Bed::Phase y = bed_y(band.first_row + row);
       float* height = &band.height[row * columns()];
       const std::uint32_t* stone = &band.stone[row * columns()];
       for (std::size_t column = 0; column < columns(); ++column) {

@@ -108,6 +108,13 @@ void write_text(const std::string& path, const std::string& text) {
   if (!file) throw std::runtime_error("cannot write " + path);
 }
 
+// Over a tile, which they fill exactly.
+PixelGrid tile_grid(vec2 size_mm, std::size_t size_px) {
+  const double pixel = std::max(size_mm.x, size_mm.y) / static_cast<double>(size_px);
+  const vec2 count = glm::max(vec2{1.0, 1.0}, glm::round(size_mm / pixel));
+  return {{0.0, 0.0}, size_mm / count, static_cast<std::size_t>(count.x), static_cast<std::size_t>(count.y)};
+}
+
 // Square pixels over the window, which grows in its shorter side by less than a pixel.
 PixelGrid pixel_grid(const paving::Pavement& pavement) {
   const geometry::Box box = pavement.textures.area.value_or(geometry::bounding_box(pavement.area.outline));
@@ -142,7 +149,12 @@ FileSet texture_set(const PavedArea& paved, std::uint64_t seed) {
   set.names.push_back(paved.pavement.name + "_textures.json");
   set.write = [&paved, seed](const std::string& folder) {
     const Fields fields = fields_of(paved.pavement, seed);
-    write_set({paved.pavement, paved.layout.stones, fields, seed, false}, pixel_grid(paved.pavement), folder);
+    if (paved.tile) {
+      write_set({paved.pavement, paved.tile->layout.stones, fields, seed, true},
+                tile_grid(paved.tile->size_mm, paved.pavement.textures.size_px), folder);
+    } else {
+      write_set({paved.pavement, paved.layout.stones, fields, seed, false}, pixel_grid(paved.pavement), folder);
+    }
   };
   return set;
 }

@@ -141,6 +141,24 @@ struct Maps::Looks {
                      bed.phase_y((static_cast<double>(row) + 0.5) / static_cast<double>(grid.height)));
   }
 
+  struct Pixel {
+    const Stone* stone = nullptr;  // none: all of it is joint
+    float part = 0.0F;             // of the stone
+    Place place;                   // on the stone
+    float bed_grain = 0.0F;        // where the stone leaves something
+  };
+  Pixel pixel(const SurfaceMap& map, std::size_t column, std::size_t row) const {
+    const std::size_t at = map.index(column, row);
+    Pixel pixel;
+    if (map.stone[at] != 0) {
+      pixel.stone = &stones[map.stone[at] - 1];
+      pixel.part = static_cast<float>(map.cover[at]) / 255.0F;
+      pixel.place = place(*pixel.stone, column, row, map.height_mm[at]);
+    }
+    if (pixel.part < 1.0F) pixel.bed_grain = bed_grain(column, row);
+    return pixel;
+  }
+
   PixelGrid grid;
   bool periodic;
   Bed bed;
@@ -160,58 +178,62 @@ Maps::~Maps() = default;
 HeightRange Maps::height_range() const { return range_; }
 
 void Maps::id_row(std::size_t row, std::span<float> values) const {
-  const std::uint32_t* stones = &map_.stone[map_.index(0, row)];
   for (std::size_t x = 0; x < map_.grid.width; ++x) {
-    values[x] = stones[x] == 0 ? 0.0F : static_cast<float>(surface_.stones[stones[x] - 1].id + 1);
+    const std::uint32_t stone = map_.owner(map_.index(x, row));
+    values[x] = stone == 0 ? 0.0F : static_cast<float>(surface_.stones[stone - 1].id + 1);
+  }
+}
+
+void Maps::height_row(std::size_t row, std::span<float> values) const {
+  const float* heights = &map_.height_mm[map_.index(0, row)];
+  const auto low = static_cast<float>(range_.low_mm);
+  const auto scale = static_cast<float>(range_.range_mm > 0.0 ? 1.0 / range_.range_mm : 0.0);
+  for (std::size_t x = 0; x < values.size(); ++x) values[x] = (heights[x] - low) * scale;
+}
+
+void Maps::id_colour_row(std::size_t row, std::span<float> values) const {
+  for (std::size_t x = 0; x < map_.grid.width; ++x) {
+    const std::uint32_t stone = map_.owner(map_.index(x, row));
+    const std::uint32_t colour = stone == 0 ? 0 : id_colour(static_cast<std::uint32_t>(surface_.stones[stone - 1].id));
+    for (std::size_t c = 0; c < 3; ++c) values[3 * x + c] = static_cast<float>((colour >> (16 - 8 * c)) & 0xFFU) / 255.0F;
+  }
+}
+
+// Where stones and joints share a pixel, both are mixed.
+void Maps::base_color_row(std::size_t row, std::span<float> values) const {
+  for (std::size_t x = 0; x < map_.grid.width; ++x) {
+    const Looks::Pixel pixel = looks_->pixel(map_, x, row);
+    Colour colour = pixel.part < 1.0F ? bed_colour(pixel.bed_grain) : Colour{};
+    if (pixel.stone != nullptr) colour = mixed(colour, stone_colour_at(pixel.stone->colour, pixel.place), pixel.part);
+    values[3 * x] = colour.red;
+    values[3 * x + 1] = colour.green;
+    values[3 * x + 2] = colour.blue;
+  }
+}
+
+void Maps::roughness_row(std::size_t row, std::span<float> values) const {
+  for (std::size_t x = 0; x < map_.grid.width; ++x) {
+    const Looks::Pixel pixel = looks_->pixel(map_, x, row);
+    values[x] = pixel.part < 1.0F ? bed_roughness(pixel.bed_grain) : 0.0F;
+    if (pixel.stone != nullptr) values[x] += pixel.part * (stone_roughness(pixel.stone->drawn, pixel.place) - values[x]);
   }
 }
 
 void Maps::row(Map map, std::size_t row, std::span<float> values) const {
   ENSURE(values.size() == map_.grid.width * channels(map) && row < map_.grid.height);
-  const std::size_t first = map_.index(0, row);
   switch (map) {
-    case Map::normal:
-      normal_row(map_, row, values);
-      return;
-    case Map::ambient_occlusion:
-      occlusion_row(map_, row, values);
-      return;
-    case Map::height: {
-      const auto low = static_cast<float>(range_.low_mm);
-      const auto scale = static_cast<float>(range_.range_mm > 0.0 ? 1.0 / range_.range_mm : 0.0);
-      for (std::size_t x = 0; x < values.size(); ++x) values[x] = (map_.height_mm[first + x] - low) * scale;
-      return;
-    }
-    case Map::stone_id:
-      for (std::size_t x = 0; x < map_.grid.width; ++x) {
-        const std::uint32_t stone = map_.stone[first + x];
-        const std::uint32_t colour = stone == 0 ? 0 : id_colour(static_cast<std::uint32_t>(surface_.stones[stone - 1].id));
-        for (std::size_t c = 0; c < 3; ++c) values[3 * x + c] = static_cast<float>((colour >> (16 - 8 * c)) & 0xFFU) / 255.0F;
-      }
-      return;
     case Map::base_color:
+      return base_color_row(row, values);
     case Map::roughness:
-      break;
-  }
-  // Where stones and joints share a pixel, both are mixed.
-  for (std::size_t x = 0; x < map_.grid.width; ++x) {
-    const std::uint32_t stone = map_.stone[first + x];
-    const std::uint8_t cover = map_.cover[first + x];
-    const float part = static_cast<float>(cover) / 255.0F;
-    const bool has_stone = cover > 0 && stone != 0;
-    const float grain = cover < 255 || !has_stone ? looks_->bed_grain(x, row) : 0.0F;
-    const Looks::Stone* look = has_stone ? &looks_->stones[stone - 1] : nullptr;
-    const Place place = has_stone ? looks_->place(*look, x, row, map_.height_mm[first + x]) : Place{};
-    if (map == Map::roughness) {
-      const float bed = bed_roughness(grain);
-      values[x] = has_stone ? bed + part * (stone_roughness(look->drawn, place) - bed) : bed;
-      continue;
-    }
-    const Colour bed = bed_colour(grain);
-    const Colour colour = has_stone ? mixed(bed, stone_colour_at(look->colour, place), part) : bed;
-    values[3 * x] = colour.red;
-    values[3 * x + 1] = colour.green;
-    values[3 * x + 2] = colour.blue;
+      return roughness_row(row, values);
+    case Map::normal:
+      return normal_row(map_, row, values);
+    case Map::height:
+      return height_row(row, values);
+    case Map::ambient_occlusion:
+      return occlusion_row(map_, row, values);
+    case Map::stone_id:
+      return id_colour_row(row, values);
   }
 }
 

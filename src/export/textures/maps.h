@@ -54,6 +54,11 @@ class Maps {
  private:
   struct Looks;
 
+  void base_color_row(std::size_t row, std::span<float> values) const;
+  void roughness_row(std::size_t row, std::span<float> values) const;
+  void height_row(std::size_t row, std::span<float> values) const;
+  void id_colour_row(std::size_t row, std::span<float> values) const;
+
   const Surface& surface_;
   const SurfaceMap& map_;
   HeightRange range_;

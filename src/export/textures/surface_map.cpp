@@ -240,18 +240,17 @@ class Drawing {
     }
   }
 
-  // What most samples are of; of those with as many samples a stone before the joint, and the first before others.
+  // The stone with the most samples, the first of those with as many; 0 where there is none.
   static std::uint32_t most_of(const std::uint32_t* found, std::size_t count) {
     if (std::all_of(found, found + count, [&](std::uint32_t stone) { return stone == found[0]; })) return found[0];
     std::uint32_t best = 0;
     std::ptrdiff_t most = 0;
     for (std::size_t k = 0; k < count; ++k) {
+      if (found[k] == 0) continue;
       const std::ptrdiff_t times = std::count(found, found + count, found[k]);
-      const bool before = times == most && (best == 0 || (found[k] != 0 && found[k] < best));
-      if (times > most || before) {
-        most = times;
-        best = found[k];
-      }
+      if (times < most || (times == most && best <= found[k])) continue;
+      most = times;
+      best = found[k];
     }
     return best;
   }

@@ -31,11 +31,13 @@ struct SurfaceMap {
   PixelGrid grid;
   std::size_t halo = 0;              // so many pixels more on each side, drawn like all others
   std::vector<float> height_mm;      // (width + 2 halo) × (height + 2 halo), row by row from the top
-  std::vector<std::uint32_t> stone;  // which takes most of the pixel: index among the stones, plus 1; 0 is the joint
+  std::vector<std::uint32_t> stone;  // which has most of the pixel, of stones: its index, plus 1; 0 is none
   std::vector<std::uint8_t> cover;   // how much of the pixel is stone, 0 … 255
 
   std::size_t row_length() const { return grid.width + 2 * halo; }
   std::size_t rows() const { return grid.height + 2 * halo; }
+  // The stone of a pixel that is at least half stone, as above; 0 is the joint.
+  std::uint32_t owner(std::size_t pixel) const { return cover[pixel] >= 128 ? stone[pixel] : 0; }
   // Of a pixel of the window.
   std::size_t index(std::size_t column, std::size_t row) const { return (row + halo) * row_length() + column + halo; }
 };

@@ -35,7 +35,7 @@ void export_scene(const Export& job, const AppendTarget& append_target) {
     for (const Target target : job.targets) append_target(model, target, outputs);
   }
   const SignalNotes notes;
-  print_paths(pipeline::written(outputs, job.output, SignalNotes::received));
+  print_paths(pipeline::written_outputs(outputs, job.output, SignalNotes::received));
 }
 
 }  // namespace shatterpave::cli

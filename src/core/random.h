@@ -33,7 +33,10 @@ enum class Stream : std::uint32_t {
   stone_place = 30,  // size, rotation and offset of a stone
   stone_missing = 31,
   stone_sink = 32,
-  debris = 40,  // crushed zone and other litter about an impact
+  stone_arris = 36,  // arris, crown and warp of a stone with a finish
+  stone_chip = 37,   // chance, place and size of a chip on a side
+  ground = 38,       // heights of the ground
+  debris = 40,       // crushed zone and other litter about an impact
 };
 
 // Identity of an element, made from what it *is*: its names and its places among its siblings, never from a running

@@ -1,6 +1,7 @@
 // What a scene may say of a pavement.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -81,15 +82,41 @@ struct StoneSurface {
   bool operator==(const StoneSurface&) const = default;
 };
 
+// How the faces of stones are worked, as the trade names it (paving/finishes.h).
+enum class Finish {
+  none,  // the paper's patch, as StoneSurface says
+  flat_sawn,
+  bush_hammered,
+  split,
+  river_worn
+};
+
+// The edge between face and side.
+enum class Arris { rounded, chamfered };
+
+// The body of a stone with a finish: a face with a crown, arrises of one width and steep sides. `StoneSurface::height_mm` and
+// its spread are then the height of the face above the filling of the joints, and the insets have no effect.
+struct StoneBody {
+  Finish finish = Finish::none;  // with none, nothing below has an effect
+  Arris arris = Arris::rounded;
+  double arris_mm = 0.0;     // width of the arris, seen from above, >= 0
+  double crown_mm = 0.0;     // rise of the middle of the face over the middles of its sides, >= 0
+  double uneven_mm = 0.0;    // how far the face is warped, either way, >= 0
+  double wear_mm = 0.0;      // how much lower stones in the middle of the pavement are than at its border, >= 0
+  double chips_per_m = 0.0;  // chips along the arrises, in the mean, >= 0; rounded ones only
+  bool operator==(const StoneBody&) const = default;
+};
+
 // How stones differ from the places that the bond gives them; each draws its own, evenly within ± the value. A stone moves no
 // corner farther than into its half of the joint (three tenths of the joint along bent rows, whose sides are straight),
 // whatever is asked: so stones never touch and never leave the area.
 struct Variation {
-  double size = 0.0;       // larger or smaller by this part, 0 … 0.5
-  Angle rotation;          // 0 … 45°
-  double offset_mm = 0.0;  // along x and along y, >= 0
-  double sink_mm = 0.0;    // lower by up to this, >= 0
-  double missing = 0.0;    // part of the stones that are not there, 0 … 1
+  double size = 0.0;          // larger or smaller by this part, 0 … 0.5
+  Angle rotation;             // 0 … 45°
+  double offset_mm = 0.0;     // along x and along y, >= 0
+  double sink_mm = 0.0;       // lower by up to this, >= 0
+  double missing = 0.0;       // part of the stones that are not there, 0 … 1
+  std::optional<Angle> tilt;  // of the face along x and along y, 0 … 10°; not given: as the surface has it
   bool operator==(const Variation&) const = default;
 };
 
@@ -98,6 +125,53 @@ struct Relief {
   double rms_mm = 0.6;  // root mean square of the height, >= 0; 0 leaves it out
   double hurst = 0.7;   // Hurst exponent, 0 … 1: near 0 is gritty, near 1 is smooth
   bool operator==(const Relief&) const = default;
+};
+
+// What the stones are made of, in pictures.
+enum class Material {
+  setts,  // granite and basalt mixed, as old setts are
+  granite,
+  basalt,
+  sandstone,
+  limestone,
+  brick
+};
+
+enum class JointFill { sand, mortar };
+
+// How a pavement looks.
+struct Look {
+  Material material = Material::setts;
+  std::optional<JointFill> joint_fill;  // not given: sand with moss here and there
+  std::optional<double> moss;           // in joints and on arrises, 0 … 1; not given: as the filling has it
+  double wetness = 0.0;                 // 0 … 1: to 0.5 wet stone, above it water stands in the low spots
+  bool operator==(const Look&) const = default;
+};
+
+// How the ground lies. The plan stays a plan: these are heights over it.
+struct Ground {
+  double fall_percent = 0.0;             // for drainage, >= 0
+  Angle fall_direction;                  // downhill, from +x
+  double level_mm = 0.0;                 // of the whole, at the origin of the plan
+  double settlement_mm = 0.0;            // how far the ground has sunk at its lowest, >= 0: hollows that water stands in
+  double settlement_length_mm = 2500.0;  // from hollow to hollow, > 0
+  bool operator==(const Ground&) const = default;
+};
+
+// Kerb stones along the outline of a pavement, outside (paving/kerb.h).
+struct Kerb {
+  double width_mm = 0.0;     // >= 0; 0: none
+  double length_mm = 900.0;  // of a stone, > 0
+  double height_mm = 0.0;    // above the stones, >= 0
+  bool operator==(const Kerb&) const = default;
+};
+
+// How finely stones are made, by their distance from where the picture is taken.
+struct Detail {
+  vec2 viewer_mm{0.0, 0.0};  // on the plan
+  double close_mm = 0.0;     // stones up to here are meshes with the relief and chips as true geometry, >= 0
+  double mesh_mm = 1.5;      // sides of their triangles, > 0
+  bool operator==(const Detail&) const = default;
 };
 
 struct Pavement {
@@ -109,11 +183,19 @@ struct Pavement {
   Bonding bonding;
   Border border;
   StoneSurface surface;
+  StoneBody body;
   Variation variation;
   Relief relief;
   TextureSet textures;
+  Look look;
+  Ground ground;
+  Kerb kerb;
+  std::optional<Detail> detail;  // not given: all stones alike
 
   bool operator==(const Pavement&) const = default;
 };
+
+// Of the pavement that the kerb stones of `pavement` are.
+inline std::string kerb_name(const Pavement& pavement) { return pavement.name + "_kerb"; }
 
 }  // namespace shatterpave::paving

@@ -1,9 +1,8 @@
 // The split surface, side by side with the paper's single patch:
 //
 //   All patches are bilinear in the plane, and their heights are z = f + G, where G, the dome, is one quadratic polynomial of
-//   (x, y) for the whole piece. Bilinear in (x, y) means that G is of degree (2, 2) in (u, v), so it is represented exactly,
-//   and adding it to patches that meet smoothly leaves them so. It remains to choose f, the shoulder: with heights 0, h, h, h
-//   of the control points from the outline inwards it is h (1 − (1 − t)³), steep at the outline and level at the crown.
+//   (x, y) for the whole piece (domed_patch.h). It remains to choose f, the shoulder: with heights 0, h, h, h of the control
+//   points from the outline inwards it is h (1 − (1 − t)³), steep at the outline and level at the crown.
 //   - A corner patch is a parallelogram of corner, two points on the sides and a corner of the crown; f is the product of the
 //     shoulders of both its sides.
 //   - Two side patches lie between the corner patches of a side's ends. At the borders along the ring all derivatives across
@@ -14,11 +13,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <optional>
 
 #include "core/error.h"
+#include "core/functions.h"
+#include "paving/domed_patch.h"
+#include "paving/stone_pieces.h"
 
 namespace shatterpave::paving {
 
@@ -27,97 +27,7 @@ using geometry::Polygon;
 
 namespace {
 
-const vec2& cyclic(const Polygon& polygon, std::size_t i) { return polygon[i % polygon.size()]; }
-const vec2& before(const Polygon& polygon, std::size_t i) { return cyclic(polygon, i + polygon.size() - 1); }
-
-// Distance of vertex i from the line through its neighbours; positive where the corner is convex.
-double prominence(const Polygon& polygon, std::size_t i) {
-  const vec2 chord = cyclic(polygon, i + 1) - before(polygon, i);
-  const double length = glm::length(chord);
-  if (length == 0.0) return 0.0;
-  return cross(polygon[i] - before(polygon, i), chord) / length;
-}
-
-std::size_t least_corner(const Polygon& polygon) {
-  std::size_t least = 0;
-  for (std::size_t i = 1; i < polygon.size(); ++i) {
-    if (std::abs(prominence(polygon, i)) < std::abs(prominence(polygon, least))) least = i;
-  }
-  return least;
-}
-
-void remove_vertex(Polygon& polygon, std::size_t i) { polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i)); }
-
-// ---- convex pieces
-
-struct Cut {
-  std::size_t side = 0;  // from vertex `side` to the next
-  vec2 end{0.0, 0.0};
-  double length = std::numeric_limits<double>::infinity();
-};
-
-// Where the ray from the reflex corner `from` along `direction` first meets a side that does not end in that corner.
-Cut first_hit(const Polygon& polygon, std::size_t from, vec2 direction) {
-  Cut best;
-  const std::size_t count = polygon.size();
-  for (std::size_t side = 0; side < count; ++side) {
-    if (side == from || (side + 1) % count == from) continue;
-    const vec2 along = cyclic(polygon, side + 1) - polygon[side];
-    const vec2 offset = polygon[side] - polygon[from];
-    const double sine_of_angle = cross(direction, along);
-    if (sine_of_angle == 0.0) continue;
-    const double distance = cross(offset, along) / sine_of_angle;
-    const double place = cross(offset, direction) / sine_of_angle;
-    if (distance <= 0.0 || place < 0.0 || place > 1.0 || distance >= best.length) continue;
-    best = {side, polygon[side] + place * along, distance};
-  }
-  return best;
-}
-
-// The vertices from `first` to `last`, in cyclic order.
-Polygon chain(const Polygon& polygon, std::size_t first, std::size_t last) {
-  Polygon part;
-  for (std::size_t i = first;; ++i) {
-    part.push_back(cyclic(polygon, i));
-    if (i % polygon.size() == last % polygon.size()) return part;
-  }
-}
-
-// Cuts at reflex corners, along the shorter continuation of one of their sides, until no piece has any.
-std::vector<Polygon> convex_pieces(const Polygon& polygon, double tolerance_mm) {
-  std::vector<Polygon> pieces;
-  std::vector<Polygon> waiting = {polygon};
-  while (!waiting.empty()) {
-    const Polygon piece = corners(waiting.back(), tolerance_mm);
-    waiting.pop_back();
-    std::optional<std::size_t> reflex;
-    for (std::size_t i = 0; i < piece.size() && !reflex; ++i) {
-      if (prominence(piece, i) < 0.0) reflex = i;
-    }
-    if (!reflex || piece.size() <= 3) {
-      pieces.push_back(piece);
-      continue;
-    }
-    const std::size_t at = *reflex;
-    const Cut onward = first_hit(piece, at, glm::normalize(piece[at] - before(piece, at)));
-    const Cut backward = first_hit(piece, at, glm::normalize(piece[at] - cyclic(piece, at + 1)));
-    const Cut& cut = onward.length <= backward.length ? onward : backward;
-    ENSURE(cut.length < std::numeric_limits<double>::infinity());
-    Polygon left = chain(piece, at, cut.side);
-    left.push_back(cut.end);
-    Polygon right = chain(piece, cut.side + 1, at);
-    right.push_back(cut.end);
-    waiting.push_back(left);
-    waiting.push_back(right);
-  }
-  return pieces;
-}
-
 // ---- one patch over four corners
-
-vec2 bilinear(const std::array<vec2, 4>& quad, double u, double v) {
-  return (1.0 - u) * ((1.0 - v) * quad[0] + v * quad[3]) + u * ((1.0 - v) * quad[1] + v * quad[2]);
-}
 
 // The paper's patch. `quad` is convex and counter-clockwise.
 BezierPatch single_patch(const std::array<vec2, 4>& quad, const StoneDraws& draws) {
@@ -160,15 +70,6 @@ struct Dome {
   double blossom(vec2 p, vec2 q) const { return -curvature * glm::dot(p - centre, q - centre); }
 };
 
-// Sine of the angle at corner i.
-double corner_sine(const Polygon& polygon, std::size_t i) {
-  return cross(glm::normalize(polygon[i] - before(polygon, i)), glm::normalize(cyclic(polygon, i + 1) - polygon[i]));
-}
-
-double corner_cosine(const Polygon& polygon, std::size_t i) {
-  return glm::dot(glm::normalize(polygon[i] - before(polygon, i)), glm::normalize(cyclic(polygon, i + 1) - polygon[i]));
-}
-
 // The width of the shoulder at which a side is used up: by the parallelograms at its ends, or within the crown.
 double feasible_shoulder(const Polygon& polygon) {
   double width = std::numeric_limits<double>::infinity();
@@ -181,40 +82,6 @@ double feasible_shoulder(const Polygon& polygon) {
     width = std::min({width, length / (on_outline(i) + on_outline(next)), length / (on_crown(i) + on_crown(next))});
   }
   return used_of_feasible * width;
-}
-
-// G over `quad` as a polynomial of bidegree (2, 2), by its blossom: control point (i, j) is the mean of G over the ways to
-// choose i of 2 and j of 2.
-double dome_control(const std::array<vec2, 4>& quad, const Dome& dome, std::size_t i, std::size_t j) {
-  const auto corner = [&](std::size_t u, std::size_t v) { return quad[v == 0 ? u : 3 - u]; };
-  const std::array<std::size_t, 2> us = {i / 2, (i + 1) / 2};
-  const std::array<std::size_t, 2> vs = {j / 2, (j + 1) / 2};
-  return 0.5 *
-         (dome.blossom(corner(us[0], vs[0]), corner(us[1], vs[1])) + dome.blossom(corner(us[0], vs[1]), corner(us[1], vs[0])));
-}
-
-// The same raised to degree 3 in both: (q0, (q0 + 2 q1) / 3, (2 q1 + q2) / 3, q2).
-double raised_dome_control(const std::array<vec2, 4>& quad, const Dome& dome, std::size_t row, std::size_t column) {
-  constexpr std::array<std::array<double, 3>, 4> raise = {
-      {{1.0, 0.0, 0.0}, {1.0 / 3.0, 2.0 / 3.0, 0.0}, {0.0, 2.0 / 3.0, 1.0 / 3.0}, {0.0, 0.0, 1.0}}};
-  double height = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) height += raise[row][i] * raise[column][j] * dome_control(quad, dome, i, j);
-  }
-  return height;
-}
-
-// A patch bilinear in the plane over `quad`, with `shoulder(row, column)` as control heights of f, and the dome added.
-BezierPatch domed_patch(const std::array<vec2, 4>& quad, const Dome& dome,
-                        const std::function<double(std::size_t, std::size_t)>& shoulder) {
-  BezierPatch patch;
-  for (std::size_t row = 0; row < 4; ++row) {
-    for (std::size_t column = 0; column < 4; ++column) {
-      const vec2 place = bilinear(quad, static_cast<double>(row) / 3.0, static_cast<double>(column) / 3.0);
-      patch.at(row, column) = {place.x, place.y, shoulder(row, column) + raised_dome_control(quad, dome, row, column)};
-    }
-  }
-  return patch;
 }
 
 // The ring of corner and side patches, and the crown, as the head of this file tells.
@@ -254,27 +121,25 @@ std::vector<BezierPatch> split_patches(const Polygon& polygon, double width, con
 
 std::vector<BezierPatch> convex_patches(Polygon polygon, const StoneDraws& draws) {
   const double size = std::sqrt(geometry::area(polygon));
-  while (polygon.size() > 4 && feasible_shoulder(polygon) < least_shoulder * size)
-    remove_vertex(polygon, least_corner(polygon));
+  while (polygon.size() > 4 && feasible_shoulder(polygon) < least_shoulder * size) leave_out_least_corner(polygon);
   if (polygon.size() == 4) return {single_patch({polygon[0], polygon[1], polygon[2], polygon[3]}, draws)};
   const double wanted = std::clamp(shoulder_of_inset * draws.inset, narrowest_shoulder, widest_shoulder) * size;
   return split_patches(polygon, std::min(wanted, feasible_shoulder(polygon)), draws);
 }
 
 // Largest tilt of a stone, as a rise per mm: 1°. By eye, because less does not show and more looks like a neglected path.
-constexpr double largest_slope = 0.0175;
+constexpr double usual_slope = 0.0175;
+
+double largest_slope(const Variation& variation) {
+  if (!variation.tilt) return usual_slope;
+  return sine(variation.tilt->radians()) / cosine(variation.tilt->radians());
+}
+
+std::vector<BezierPatch> patches_of_piece(const Polygon& piece, const StoneDraws& draws, const IsSawn& is_sawn) {
+  return draws.body ? body_patches(piece, *draws.body, is_sawn) : convex_patches(piece, draws);
+}
 
 }  // namespace
-
-Polygon corners(const Polygon& outline, double tolerance_mm) {
-  Polygon kept = outline;
-  while (kept.size() > 3) {
-    const std::size_t least = least_corner(kept);
-    if (std::abs(prominence(kept, least)) > tolerance_mm) break;
-    remove_vertex(kept, least);
-  }
-  return kept;
-}
 
 StoneDraws stone_draws(const Pavement& pavement, std::uint64_t seed, int stone_id) {
   const Id id = Id(pavement.name).child(static_cast<std::uint64_t>(stone_id));
@@ -284,20 +149,33 @@ StoneDraws stone_draws(const Pavement& pavement, std::uint64_t seed, int stone_i
   StoneDraws draws;
   draws.height_mm = surface.height_mm * (1.0 + surface.height_spread * around_zero(Stream::stone_height, 0));
   draws.inset = std::clamp(surface.inset * (1.0 + surface.inset_spread * around_zero(Stream::stone_inset, 0)), 0.0, 0.5);
-  draws.slope = largest_slope * vec2{around_zero(Stream::stone_tilt, 0), around_zero(Stream::stone_tilt, 1)};
+  draws.slope =
+      largest_slope(pavement.variation) * vec2{around_zero(Stream::stone_tilt, 0), around_zero(Stream::stone_tilt, 1)};
   draws.sink_mm = pavement.variation.sink_mm * draw(Stream::stone_sink, 0);
   draws.colour = draw(Stream::stone_colour, 0);
   draws.relief_place = {draw(Stream::stone_relief, 0), draw(Stream::stone_relief, 1)};
+  if (pavement.body.finish != Finish::none) draws.body = body_draws(pavement, seed, id);
   return draws;
 }
 
-std::vector<BezierPatch> surface_patches(const Polygon& outline, const StoneDraws& draws) {
+StoneDraws worn(StoneDraws draws, const Pavement& pavement, double traffic) {
+  if (!draws.body || pavement.body.wear_mm == 0.0) return draws;
+  // By eye: a stone in the middle of an old path has half the roughness, and arrises as round again.
+  draws.sink_mm += traffic * pavement.body.wear_mm;
+  draws.relief *= 1.0 - 0.5 * traffic;
+  draws.body->arris_mm *= 1.0 + traffic;
+  draws.body->warp_mm *= 1.0 - 0.5 * traffic;
+  draws.body->chips_per_m *= 1.0 - 0.5 * traffic;
+  return draws;
+}
+
+std::vector<BezierPatch> surface_patches(const Polygon& outline, const StoneDraws& draws, const IsSawn& is_sawn) {
   ENSURE(outline.size() >= 3);
   const double tolerance_mm = corner_tolerance * std::sqrt(std::abs(geometry::area(outline)));
   std::vector<BezierPatch> patches;
   for (const Polygon& piece : convex_pieces(outline, tolerance_mm)) {
     if (geometry::area(piece) <= 0.0) continue;
-    const std::vector<BezierPatch> part = convex_patches(piece, draws);
+    const std::vector<BezierPatch> part = patches_of_piece(piece, draws, is_sawn);
     patches.insert(patches.end(), part.begin(), part.end());
   }
   for (BezierPatch& patch : patches) {
@@ -307,5 +185,14 @@ std::vector<BezierPatch> surface_patches(const Polygon& outline, const StoneDraw
 }
 
 double bed_level_mm(const StoneSurface& surface) { return 0.05 * surface.height_mm; }
+
+double bed_level_mm(const Pavement& pavement) {
+  return pavement.body.finish == Finish::none ? bed_level_mm(pavement.surface) : hidden_depth_mm(pavement);
+}
+
+double top_mm(const Pavement& pavement) {
+  if (pavement.body.finish != Finish::none) return highest_face_mm(pavement);
+  return top_of_single_patch * pavement.surface.height_mm * (1.0 + pavement.surface.height_spread);
+}
 
 }  // namespace shatterpave::paving

@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "glass/growth.h"
+#include "paving/kerb.h"
 #include "paving/laying.h"
 #include "paving/seamless.h"
 
@@ -15,7 +16,10 @@ exporting::Model generated(const scene::Scene& scene, const Progress& progress) 
   model.setting = scene.still.setting;
   model.seed = scene.seed;
   for (const glass::Pane& pane : scene.panes) model.panes.push_back({pane, {}});
-  for (const paving::Pavement& pavement : scene.pavements) model.pavements.push_back({pavement, {}});
+  for (const paving::Pavement& pavement : scene.pavements) {
+    model.pavements.push_back({pavement, {}});
+    if (pavement.kerb.width_mm > 0.0) model.pavements.push_back({paving::kerb(pavement), {}});
+  }
 
   const std::size_t panes = model.panes.size();
   const std::size_t count = panes + model.pavements.size();

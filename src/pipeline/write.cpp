@@ -132,7 +132,7 @@ std::vector<fs::path> published(Workplace& workplace, const std::vector<std::str
   return paths;
 }
 
-std::vector<fs::path> written(const exporting::Outputs& outputs, const fs::path& output, const Cancelled& cancelled) {
+std::vector<fs::path> written_outputs(const exporting::Outputs& outputs, const fs::path& output, const Cancelled& cancelled) {
   require_output_folder(output);
   Workplace workplace(output);
   std::vector<std::string> names;
@@ -155,7 +155,7 @@ std::vector<fs::path> written(const exporting::Outputs& outputs, const fs::path&
 
 std::vector<fs::path> written(const std::vector<exporting::OutputFile>& files, const fs::path& output,
                               const Cancelled& cancelled) {
-  return written(exporting::Outputs{files, {}}, output, cancelled);
+  return written_outputs(exporting::Outputs{files, {}}, output, cancelled);
 }
 
 }  // namespace shatterpave::pipeline

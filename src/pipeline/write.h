@@ -51,7 +51,7 @@ std::vector<std::filesystem::path> published(Workplace& workplace, const std::ve
 std::vector<std::filesystem::path> written(const std::vector<exporting::OutputFile>& files, const std::filesystem::path& output,
                                            const Cancelled& cancelled = {});
 // The same with sets of large files, which follow.
-std::vector<std::filesystem::path> written(const exporting::Outputs& outputs, const std::filesystem::path& output,
-                                           const Cancelled& cancelled = {});
+std::vector<std::filesystem::path> written_outputs(const exporting::Outputs& outputs, const std::filesystem::path& output,
+                                                   const Cancelled& cancelled = {});
 
 }  // namespace shatterpave::pipeline

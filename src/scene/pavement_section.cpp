@@ -7,6 +7,7 @@
 #include "geometry/lattice.h"
 #include "paving/stone_sizes.h"
 #include "scene/section.h"
+#include "scene/stone_keys.h"
 
 namespace shatterpave::scene {
 
@@ -84,32 +85,6 @@ paving::Border border_of(const TomlTable& pavement) {
   return border;
 }
 
-void read_surface(const TomlTable& pavement, paving::StoneSurface& surface) {
-  const auto table = pavement.table("surface", {"height_mm", "height_spread", "inset", "inset_spread"});
-  if (!table) return;
-  table->read("height_mm", {0.0, 1000.0}, surface.height_mm);
-  table->read("height_spread", {0.0, 1.0}, surface.height_spread);
-  table->read("inset", {0.0, 0.5}, surface.inset);
-  table->read("inset_spread", {0.0, 1.0}, surface.inset_spread);
-}
-
-void read_variation(const TomlTable& pavement, paving::Variation& variation) {
-  const auto table = pavement.table("variation", {"size", "rotation_deg", "offset_mm", "sink_mm", "missing"});
-  if (!table) return;
-  table->read("size", {0.0, 0.5}, variation.size);
-  variation.rotation = Angle::degrees(table->number("rotation_deg", {0.0, 45.0}).value_or(0.0));
-  table->read("offset_mm", {0.0, 1000.0}, variation.offset_mm);
-  table->read("sink_mm", {0.0, 1000.0}, variation.sink_mm);
-  table->read("missing", {0.0, 1.0}, variation.missing);
-}
-
-void read_relief(const TomlTable& pavement, paving::Relief& relief) {
-  const auto table = pavement.table("relief", {"rms_mm", "hurst"});
-  if (!table) return;
-  table->read("rms_mm", {0.0, 100.0}, relief.rms_mm);
-  table->read("hurst", {0.0, 1.0}, relief.hurst);
-}
-
 geometry::Box texture_area(const TomlTable& table) {
   const PlacedPoints corners = *table.points("area_mm", coordinate_range);
   const bool is_box =
@@ -152,9 +127,11 @@ paving::Pavement pavement_of(const TomlTable& table, Plans& plans) {
   pavement.direction = direction_of(table, plans);
   pavement.bonding = bonding_of(table);
   pavement.border = border_of(table);
-  read_surface(table, pavement.surface);
-  read_variation(table, pavement.variation);
-  read_relief(table, pavement.relief);
+  read_stones(table, pavement);
+  pavement.look = look_of(table);
+  pavement.ground = ground_of(table);
+  pavement.kerb = kerb_of(table);
+  pavement.detail = detail_of(table);
   read_textures(table, pavement.textures);
   return pavement;
 }
@@ -174,6 +151,7 @@ void append_pavements(const TomlTable& table, Plans& plans, Names& names, std::v
     names.add(pavement.name, table.path(), table.place("name"));
     pavement.area = std::move(areas[i]);
     pavements.push_back(pavement);
+    if (pavement.kerb.width_mm > 0.0) names.add(paving::kerb_name(pavement), table.path(), table.place("name"));
   }
 }
 
@@ -188,7 +166,8 @@ std::vector<paving::Pavement> pavements_of(const TomlTable& root, Plans& plans, 
                     "holes_feature", "holes_class",      "holes_width_mm", "within_feature", "within_class",
                     "stone_preset",  "stone_mm",         "joint_mm",       "direction",      "bond",
                     "bond_offset",   "bond_turn_deg",    "bond_span_mm",   "border_course",  "border_stone_mm",
-                    "surface",       "variation",        "relief",         "textures"})) {
+                    "surface",       "variation",        "relief",         "material",       "joint_fill",
+                    "moss",          "wetness",          "ground",         "detail",         "textures"})) {
     append_pavements(table, plans, names, pavements);
   }
   return pavements;

@@ -14,6 +14,8 @@
 
 #include "core/embedded.h"
 #include "core/parallel.h"
+#include "export/povray/stone_text.h"
+#include "paving/finishes.h"
 #include "paving/stone_surface.h"
 #include "relief/raster.h"
 
@@ -144,6 +146,44 @@ TEST(Stones, AnotherStoneChangesNoOther) {
   EXPECT_TRUE(std::ranges::includes(all, fewer));
 }
 
+TEST(Stones, FallAndLevelAreOneMatrixOnAll) {
+  PavedArea paved = hand_laid(2, 2);
+  paved.pavement.ground.fall_percent = 2.0;
+  paved.pavement.ground.fall_direction = Angle::degrees(180.0);
+  paved.pavement.ground.level_mm = 30.0;
+  const std::string text = pavement_files(paved, "yard", 7)[0].content;
+  // Downhill towards −x: a rise of 0.02 mm for each along x. The matrix stands on the stones and on the bed.
+  EXPECT_EQ(count(text, "   matrix <1, 0.02, 0, 0, 1, 0, 0, -"), 2U);
+  // 216 mm along x, so the highest is 4.32 higher; 30 and the height of stones above it.
+  EXPECT_NE(text.find("#declare yard_Max = <216,46.976,216>;"), std::string::npos)
+      << text.substr(text.find("#declare yard_Max"), 60);
+}
+
+TEST(Stones, WaterStandsOnlyWhereItIsVeryWet) {
+  PavedArea paved = hand_laid(4, 4);
+  paved.pavement.look.wetness = 0.5;
+  EXPECT_EQ(count(pavement_files(paved, "yard", 7)[0].content, "yard_Water"), 0U);
+  paved.pavement.look.wetness = 1.0;
+  const std::string text = pavement_files(paved, "yard", 7)[0].content;
+  EXPECT_EQ(count(text, "#declare yard_Water ="), 1U);
+  EXPECT_EQ(count(text, "   object { yard_Water }"), 1U);
+}
+
+// `text` from the last `#declare yard_Stones` to the bed, by words.
+TEST(Stones, FartherStonesAreCoarser) {
+  PavedArea paved = hand_laid(120, 1);
+  paved.pavement.detail = paving::Detail{{0.0, 50.0}, 150.0, 5.0};
+  const std::string text = pavement_files(paved, "yard", 7)[0].content;
+  // Stones of 100 mm at every 108: one within 150 mm, then to 12, 40 and 80 sizes; the first stone of the row has four corners.
+  EXPECT_EQ(count(text, "normal_vectors"), 1U);
+  EXPECT_EQ(count(text, "bicubic_patch{type 1 flatness 0 u_steps 4"), 10U);
+  EXPECT_EQ(count(text, "bicubic_patch{type 0 flatness 0 u_steps 3"), 26U);
+  EXPECT_EQ(count(text, "bicubic_patch{type 0 flatness 0 u_steps 2"), 37U);
+  EXPECT_EQ(count(text, "bicubic_patch"), 73U);
+  // The rest are prisms of 9 vertices and 12 triangles, in one mesh for each tone.
+  EXPECT_LE(count(text, "mesh2"), 1U + stone_tones);
+}
+
 // ---- rendered
 
 class RenderStones : public testing::Test {
@@ -209,6 +249,27 @@ TEST_F(RenderStones, RendersWithoutAWarning) {
   const Statistics all = statistics(picture(hand_laid(4, 4)));
   EXPECT_GT(all.mean, 0.02);
   EXPECT_GT(all.deviation, 0.3 * all.mean);
+}
+
+TEST_F(RenderStones, RendersEveryMaterialFinishAndFillingWithoutAWarning) {
+  using paving::Material;
+  int number = 0;
+  for (const Material material :
+       {Material::setts, Material::granite, Material::basalt, Material::sandstone, Material::limestone, Material::brick}) {
+    PavedArea paved = hand_laid(4, 4);
+    paved.pavement.look = {material, number % 2 == 0 ? paving::JointFill::sand : paving::JointFill::mortar, 0.1 * number,
+                           0.2 * number};
+    const paving::FinishPreset& preset = paving::finish_presets.at(static_cast<std::size_t>(number % 4));
+    paved.pavement.body = preset.body;
+    paved.pavement.body.wear_mm = number % 3;
+    paved.pavement.relief = preset.relief;
+    paved.pavement.ground.settlement_mm = 4.0 * (number % 2);
+    if (number % 2 == 1) paved.pavement.detail = paving::Detail{{216.0, 0.0}, 150.0, 4.0};
+    const Statistics all = statistics(picture(paved));
+    EXPECT_GT(all.mean, 0.01) << number;
+    EXPECT_GT(all.deviation, 0.1 * all.mean) << number;
+    ++number;
+  }
 }
 
 TEST_F(RenderStones, RendersOneStoneAndNoneWithoutAWarning) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/functions.h"
+#include "paving/patch_seams.h"
 
 namespace shatterpave::paving {
 namespace {
@@ -17,41 +18,11 @@ using geometry::Polygon;
 const Polygon square = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
 const Polygon cell_of_an_l = {{0, 0}, {100, 0}, {100, 100}, {60, 100}, {60, 50}, {0, 50}};
 
-Polygon regular(int corners, double radius) {
-  Polygon polygon;
-  for (int i = 0; i < corners; ++i) {
-    const Angle angle = Angle::degrees(360.0 * i / corners + 11.0);
-    polygon.push_back(radius * angle.direction());
-  }
-  return polygon;
-}
-
-// A convex polygon of `corners` on an ellipse at uneven angles: all kinds of cut stones.
-Polygon uneven(int count, std::uint64_t number) {
-  Polygon polygon;
-  double turn = 0.0;
-  std::vector<double> steps;
-  for (int i = 0; i < count; ++i) {
-    steps.push_back(0.4 + uniform(number, {Stream::turn, Id("step"), static_cast<std::uint32_t>(i)}));
-    turn += steps.back();
-  }
-  double angle = 0.0;
-  for (const double step : steps) {
-    angle += step / turn * 2.0 * pi;
-    polygon.push_back({300.0 + 55.0 * cosine(angle), -200.0 + 40.0 * sine(angle)});
-  }
-  return polygon;
-}
-
 StoneDraws plain_draws() {
   StoneDraws draws;
   draws.height_mm = 18.0;
   draws.inset = 0.1;
   return draws;
-}
-
-vec3 unit_normal(const BezierPatch& patch, double u, double v) {
-  return glm::normalize(glm::cross(derivative_u(patch, u, v), derivative_v(patch, u, v)));
 }
 
 TEST(StoneSurface, FourCornersAreOnePatchOfThePaper) {
@@ -82,75 +53,6 @@ TEST(StoneSurface, VerticesOnASideAreNoCorners) {
   const Polygon with_middle = {{0, 0}, {50, 0.2}, {100, 0}, {100, 100}, {40, 100}, {0, 100}};
   EXPECT_EQ(corners(with_middle, 1.0), square);
   EXPECT_EQ(surface_patches(with_middle, plain_draws()), surface_patches(square, plain_draws()));
-}
-
-// Borders of a patch: a point on each, and the distance of two borders by brute force.
-vec3 on_border(const BezierPatch& patch, int border, double t) {
-  switch (border) {
-    case 0:
-      return point(patch, t, 0.0);
-    case 1:
-      return point(patch, 1.0, t);
-    case 2:
-      return point(patch, t, 1.0);
-    default:
-      return point(patch, 0.0, t);
-  }
-}
-
-vec3 normal_on_border(const BezierPatch& patch, int border, double t) {
-  switch (border) {
-    case 0:
-      return unit_normal(patch, t, 0.0);
-    case 1:
-      return unit_normal(patch, 1.0, t);
-    case 2:
-      return unit_normal(patch, t, 1.0);
-    default:
-      return unit_normal(patch, 0.0, t);
-  }
-}
-
-struct Seam {
-  std::size_t first = 0;
-  int first_border = 0;
-  std::size_t second = 0;
-  int second_border = 0;
-  bool reversed = false;
-};
-
-// All pairs of borders with the same ends.
-std::vector<Seam> seams(const std::vector<BezierPatch>& patches) {
-  const auto same = [](vec3 a, vec3 b) { return glm::length(a - b) < 1e-9; };
-  std::vector<Seam> found;
-  for (std::size_t i = 0; i < patches.size(); ++i) {
-    for (std::size_t j = i + 1; j < patches.size(); ++j) {
-      for (int a = 0; a < 4; ++a) {
-        for (int b = 0; b < 4; ++b) {
-          const vec3 a0 = on_border(patches[i], a, 0.0);
-          const vec3 a1 = on_border(patches[i], a, 1.0);
-          const vec3 b0 = on_border(patches[j], b, 0.0);
-          const vec3 b1 = on_border(patches[j], b, 1.0);
-          if (same(a0, b0) && same(a1, b1)) found.push_back({i, a, j, b, false});
-          if (same(a0, b1) && same(a1, b0)) found.push_back({i, a, j, b, true});
-        }
-      }
-    }
-  }
-  return found;
-}
-
-void expect_smooth(const std::vector<BezierPatch>& patches) {
-  for (const Seam& seam : seams(patches)) {
-    for (double t = 0.0; t <= 1.0; t += 0.125) {
-      const double s = seam.reversed ? 1.0 - t : t;
-      const BezierPatch& first = patches[seam.first];
-      const BezierPatch& second = patches[seam.second];
-      EXPECT_LT(glm::length(on_border(first, seam.first_border, t) - on_border(second, seam.second_border, s)), 1e-9);
-      EXPECT_LT(glm::length(normal_on_border(first, seam.first_border, t) - normal_on_border(second, seam.second_border, s)),
-                1e-9);
-    }
-  }
 }
 
 TEST(StoneSurface, SplitStonesMeetSmoothly) {

@@ -19,7 +19,7 @@ TEST(Variation, NeverLetsStonesTouchOrLeaveTheArea) {
     for (const Bond bond : {Bond::packed, Bond::crazy, Bond::fan, Bond::herringbone}) {
       Pavement paved = plain(joint_mm);
       paved.bonding.bond = bond;
-      paved.variation = {0.3, Angle::degrees(20), 30.0, 5.0, 0.02};
+      paved.variation = {0.3, Angle::degrees(20), 30.0, 5.0, 0.02, {}};
       EXPECT_EQ(faults(paved, laid_stones(paved, 3)).total(), 0U) << joint_mm;
     }
   }
@@ -40,9 +40,9 @@ TEST(Variation, EachKindMovesStonesAsAsked) {
     paved.variation = variation;
     return varied(layout, paved, 3);
   };
-  const StoneLayout sized = changed({0.04, {}, 0.0, 0.0, 0.0});
-  const StoneLayout turned = changed({0.0, Angle::degrees(3), 0.0, 0.0, 0.0});
-  const StoneLayout shifted = changed({0.0, {}, 5.0, 0.0, 0.0});
+  const StoneLayout sized = changed({0.04, {}, 0.0, 0.0, 0.0, {}});
+  const StoneLayout turned = changed({0.0, Angle::degrees(3), 0.0, 0.0, 0.0, {}});
+  const StoneLayout shifted = changed({0.0, {}, 5.0, 0.0, 0.0, {}});
   double largest = 0.0;
   double smallest = 2.0;
   double turn = 0.0;

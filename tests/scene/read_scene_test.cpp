@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "glass/presets.h"
+#include "paving/finishes.h"
 #include "paving/stone_sizes.h"
 
 namespace shatterpave::scene {
@@ -198,7 +199,45 @@ TEST(ReadScene, ReadsTheVariation) {
   const paving::Pavement p = read(path("[pavement.variation]\nsize = 0.1\nrotation_deg = 3\noffset_mm = 2\nsink_mm = 4\n"
                                        "missing = 0.01\n"))
                                  .pavements[0];
-  EXPECT_EQ(p.variation, (paving::Variation{0.1, Angle::degrees(3), 2, 4, 0.01}));
+  EXPECT_EQ(p.variation, (paving::Variation{0.1, Angle::degrees(3), 2, 4, 0.01, std::nullopt}));
+}
+
+TEST(ReadScene, FinishIsABodyThatKeysBesideItOverrule) {
+  const auto finished = [](const std::string& lines) { return read(path("[pavement.surface]\n" + lines)).pavements[0]; };
+  for (const paving::FinishPreset& known : paving::finish_presets) {
+    const paving::Pavement p = finished("finish = \"" + std::string(known.name) + "\"\n");
+    EXPECT_EQ(p.body, known.body) << known.name;
+    EXPECT_EQ(p.surface.height_mm, known.height_mm) << known.name;
+    EXPECT_EQ(p.surface.height_spread, known.height_spread) << known.name;
+    EXPECT_EQ(p.variation.tilt, Angle::degrees(known.tilt_deg)) << known.name;
+    EXPECT_EQ(p.relief, known.relief) << known.name;
+  }
+  const paving::Pavement p = finished(
+      "finish = \"split\"\nheight_mm = 4\narris = \"chamfered\"\narris_mm = 3\ncrown_mm = 1\nuneven_mm = 0.5\nwear_mm = 6\n"
+      "chips_per_m = 2\n[pavement.variation]\ntilt_deg = 2\n[pavement.relief]\nrms_mm = 0.4\n");
+  EXPECT_EQ(p.body, (paving::StoneBody{paving::Finish::split, paving::Arris::chamfered, 3, 1, 0.5, 6, 2}));
+  EXPECT_EQ(p.surface.height_mm, 4.0);
+  EXPECT_EQ(p.variation.tilt, Angle::degrees(2));
+  EXPECT_EQ(p.relief, (paving::Relief{0.4, 0.75}));
+  EXPECT_EQ(read(path("")).pavements[0].body, paving::StoneBody{});
+}
+
+TEST(ReadScene, ReadsLookGroundAndDetail) {
+  const paving::Pavement p =
+      read(path("material = \"basalt\"\njoint_fill = \"mortar\"\nmoss = 0.2\nwetness = 0.7\n[pavement.ground]\n"
+                "fall_percent = 2\nfall_deg = 90\nlevel_mm = 50\nsettlement_mm = 9\nsettlement_length_mm = 800\n"
+                "kerb_width_mm = 120\nkerb_length_mm = 700\nkerb_height_mm = 80\n[pavement.detail]\nviewer_mm = [5, 6]\n"
+                "close_mm = 700\nmesh_mm = 2\n"))
+          .pavements[0];
+  EXPECT_EQ(p.look, (paving::Look{paving::Material::basalt, paving::JointFill::mortar, 0.2, 0.7}));
+  EXPECT_EQ(p.ground, (paving::Ground{2, Angle::degrees(90), 50, 9, 800}));
+  EXPECT_EQ(p.kerb, (paving::Kerb{120, 700, 80}));
+  EXPECT_EQ(p.detail, (paving::Detail{{5, 6}, 700, 2}));
+  const paving::Pavement plain = read(path("")).pavements[0];
+  EXPECT_EQ(plain.look, paving::Look{});
+  EXPECT_EQ(plain.ground, paving::Ground{});
+  EXPECT_EQ(plain.kerb, paving::Kerb{});
+  EXPECT_FALSE(plain.detail.has_value());
 }
 
 TEST(ReadScene, ReadsTheBorderCourse) {

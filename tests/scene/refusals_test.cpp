@@ -189,6 +189,27 @@ const std::vector<Case> cases = {
     {"preset_unknown", pane(sized + "preset = \"agui1992-fig15\""),
      "s.toml:4:10: pane[0].preset: expected a preset such as \"agui1992-fig15a\", got \"agui1992-fig15\""},
     // Directions.
+    {"finish_unknown", path("size_mm = [9, 9]\nsurface.finish = \"polished\""),
+     "s.toml:4:18: pavement[0].surface.finish: expected \"flat_sawn\" or \"bush_hammered\" or \"split\" or \"river_worn\", got "
+     "the "
+     "text \"polished\""},
+    {"arris_without_finish", path("size_mm = [9, 9]\nsurface.arris_mm = 3"),
+     "s.toml:4:20: pavement[0].surface.arris_mm: expected a finish beside it, got none"},
+    {"tilt_too_far", path("size_mm = [9, 9]\nvariation.tilt_deg = 11"),
+     "s.toml:4:22: pavement[0].variation.tilt_deg: expected a number from 0 to 10, got 11"},
+    {"wetness_beyond", path("size_mm = [9, 9]\nwetness = 1.1"),
+     "s.toml:4:11: pavement[0].wetness: expected a number from 0 to 1, got 1.1"},
+    {"material_unknown", path("size_mm = [9, 9]\nmaterial = \"marble\""),
+     "s.toml:4:12: pavement[0].material: expected \"setts\" or \"granite\" or \"basalt\" or \"sandstone\" or \"limestone\" or "
+     "\"brick\", "
+     "got the text \"marble\""},
+    {"fall_uphill", path("size_mm = [9, 9]\nground.fall_percent = -1"),
+     "s.toml:4:23: pavement[0].ground.fall_percent: expected a number from 0 to 100, got -1"},
+    {"name_of_a_kerb",
+     path("size_mm = [9, 9]\nground.kerb_width_mm = 9") + "[[pavement]]\nname = \"path_kerb\"\nsize_mm = [9, 9]\n",
+     "s.toml:6:8: pavement[1].name: expected a name of its own, got that of pavement[0]"},
+    {"detail_mesh_zero", path("size_mm = [9, 9]\ndetail.mesh_mm = 0"),
+     "s.toml:4:18: pavement[0].detail.mesh_mm: expected a number from 0.1 to 1000, got 0"},
     {"direction_kind", path("size_mm = [9, 9]\ndirection.kind = \"spiral\""),
      "s.toml:4:18: pavement[0].direction.kind: expected \"constant\" or \"boundary\" or \"radial\" or \"guides\", got the text "
      "\"spiral\""},

@@ -9,8 +9,8 @@
 // stone the relief whirls like fur. The include therefore shears the space of the normal, which moves the pole of those axes
 // from the crown to shoulders that face +z, steeper than 31°; on level ground slope and direction are then exact.
 //
-// Stones share textures by tone: one `union` for each of `stone_tones` tones, since a texture of its own for every stone would
-// take kilobytes. A tone's stones lie scattered, as each draws its own.
+// Stones share textures by tone: one `union` for each of `stone_tones` tones (stone_text.h), since a texture of its own for
+// every stone would take kilobytes. A tone's stones lie scattered, as each draws its own.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,6 @@
 #include "export/model.h"
 
 namespace shatterpave::exporting::povray {
-
-inline constexpr int stone_tones = 24;
 
 // `NAME.inc` and, unless the relief is left out, `NAME_relief.png`. Lengths are millimetres; POV-Ray's y is up, its z our y.
 //   prefix  of the identifiers that the file declares

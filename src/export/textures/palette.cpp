@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "export/povray/stones.h"
+#include "export/povray/stone_text.h"
 
 namespace shatterpave::exporting::textures {
 

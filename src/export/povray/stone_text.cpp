@@ -1,0 +1,198 @@
+#include "export/povray/stone_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "export/povray/stone_mesh.h"
+#include "geometry/lattice.h"
+#include "paving/ground.h"
+#include "paving/stone_surface.h"
+#include "paving/wear.h"
+
+namespace shatterpave::exporting::povray {
+
+namespace {
+
+using geometry::BezierPatch;
+using paving::StoneDraws;
+
+int tone_of(const StoneDraws& draws) { return std::min(stone_tones - 1, static_cast<int>(draws.colour * stone_tones)); }
+
+// Five decimals of an image that is five stones wide: a two-hundredth of its pixel.
+void append_texture_place(std::string& text, vec2 place) {
+  text += '<';
+  append_decimal(text, std::llround(place.x * 1e5), 5);
+  text += ',';
+  append_decimal(text, std::llround(place.y * 1e5), 5);
+  text += '>';
+}
+
+void append_patch(std::string& text, const BezierPatch& patch, const std::array<vec2, 4>& texture_corners,
+                  std::string_view kind) {
+  text += kind;
+  for (const vec2& corner : texture_corners) append_texture_place(text, corner);
+  for (const vec3& point : patch.control_points) append_stone_point(text, point);
+  text += "}\n";
+}
+
+// ---- by distance
+
+enum class Form { mesh, patches, prism };
+
+struct Fineness {
+  Form form = Form::patches;
+  std::string kind = "bicubic_patch{type 0 flatness 0 u_steps K v_steps K uv_vectors";
+  bool chips = true;  // near enough to be seen
+};
+
+// Distances are in sizes of the stone, since it is the angle under which it is seen that counts. With 2^steps parts a side at
+// these distances a part takes some 1/100 of the distance, 0.6°: ten pixels of a picture, on a curve too flat to show them.
+Fineness fineness(const paving::Pavement& pavement, vec2 centre, double size_mm) {
+  if (!pavement.detail) return {};
+  const paving::Detail& detail = *pavement.detail;
+  const double distance = glm::length(centre - detail.viewer_mm);
+  if (distance <= detail.close_mm) return {Form::mesh, {}, true};
+  const double sizes = distance / size_mm;
+  if (sizes > 80.0) return {Form::prism, {}, false};
+  int steps = sizes < 12.0 ? 4 : (sizes < 40.0 ? 3 : 2);
+  if (pavement.body.finish != paving::Finish::none) --steps;  // of several patches
+  // Near ones are worth the memory of type 1, which keeps its parts.
+  const bool near = sizes < 12.0;
+  return {Form::patches,
+          fmt::format("bicubic_patch{{type {} flatness 0 u_steps {} v_steps {} uv_vectors", near ? 1 : 0, steps, steps), near};
+}
+
+// ---- one stone
+
+struct Making {
+  const PavedArea& paved;
+  std::uint64_t seed = 0;
+  double relief_side_mm = 1.0;
+  const relief::HeightField* relief = nullptr;
+  const geometry::RegionIndex& area;
+  const std::vector<double>& traffic;  // empty without wear
+};
+
+void append_vertices(StoneText& result, const StoneMesh& mesh, double side_mm, vec2 centre, const StoneDraws& draws) {
+  for (const vec3& vertex : mesh.vertices) {
+    append_stone_point(result.vertices, vertex);
+    append_texture_place(result.places, draws.relief_place + (vec2{vertex.x, vertex.y} - centre) / side_mm);
+  }
+  result.triangles = mesh.triangles;
+  result.vertex_count = mesh.vertices.size();
+}
+
+std::string mesh_text(const StoneMesh& mesh, const std::string& vertices, const std::string& places) {
+  std::string text =
+      fmt::format("mesh2{{vertex_vectors{{{},{}}}normal_vectors{{{},", mesh.vertices.size(), vertices, mesh.normals.size());
+  for (const vec3& normal : mesh.normals) append_stone_point(text, normal);
+  text += fmt::format("}}uv_vectors{{{},{}}}face_indices{{{},", mesh.vertices.size(), places, mesh.triangles.size() / 3);
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    text += fmt::format("<{},{},{}>", mesh.triangles[i], mesh.triangles[i + 2], mesh.triangles[i + 1]);
+  }
+  text += "}}\n";
+  return text;
+}
+
+StoneText stone_text(const Making& making, std::size_t index) {
+  const paving::Stone& stone = making.paved.layout.stones[index];
+  const paving::Pavement& pavement = making.paved.pavement;
+  const vec2 centre = geometry::centroid(stone.outline_mm);
+  const double size_mm = std::sqrt(geometry::area(stone.outline_mm));
+  StoneDraws draws = paving::stone_draws(pavement, making.seed, stone.id);
+  StoneText result;
+  result.tone = tone_of(draws);
+  if (!making.traffic.empty()) {
+    draws = paving::worn(draws, pavement, making.traffic[index]);
+    result.wear = std::min(wear_classes - 1, static_cast<int>(making.traffic[index] * wear_classes));
+  }
+  const Fineness fine = fineness(pavement, centre, size_mm);
+  if (!fine.chips && draws.body) draws.body->chips_per_m = 0.0;
+  std::vector<BezierPatch> patches =
+      paving::surface_patches(stone.outline_mm, draws, paving::sawn_sides(stone, pavement, making.area));
+  const paving::GroundPoint ground = paving::settlement(pavement.ground, making.seed, centre);
+  for (BezierPatch& patch : patches) {
+    for (vec3& p : patch.control_points) p.z += ground.height_mm + glm::dot(ground.slope, vec2{p.x, p.y} - centre);
+  }
+  result.face_mm = height_at(patches, centre);
+  const auto texture_place = [&](const vec3& p) {
+    return draws.relief_place + (vec2{p.x, p.y} - centre) / making.relief_side_mm;
+  };
+  if (fine.form == Form::patches) {
+    for (const BezierPatch& patch : patches) {
+      const auto& points = patch.control_points;
+      ++result.objects;
+      append_patch(result.text, patch,
+                   {texture_place(points[0]), texture_place(points[3]), texture_place(points[15]), texture_place(points[12])},
+                   fine.kind);
+    }
+    return result;
+  }
+  if (fine.form == Form::prism) {
+    append_vertices(result, prism(stone.outline_mm, patches, making.paved.pavement.body.arris_mm), making.relief_side_mm,
+                    centre, draws);
+    return result;
+  }
+  const ReliefWindow window{making.relief, draws.relief_place, centre, making.relief_side_mm, draws.relief};
+  const StoneMesh mesh = displaced(patches, window, pavement.detail->mesh_mm);
+  append_vertices(result, mesh, making.relief_side_mm, centre, draws);
+  result.text = mesh_text(mesh, result.vertices, result.places);
+  result.vertices.clear();
+  result.places.clear();
+  result.triangles.clear();
+  result.vertex_count = 0;
+  result.objects = 1;
+  result.displaced = true;
+  return result;
+}
+
+}  // namespace
+
+double relief_of_wear(int wear) { return 1.0 - 0.5 * (wear + 0.5) / wear_classes; }
+
+std::vector<StoneText> stone_texts(const PavedArea& paved, std::uint64_t seed, double relief_side_mm,
+                                   const relief::HeightField* relief) {
+  const geometry::RegionIndex area(paved.pavement.area);
+  const std::vector<double> traffic =
+      paved.pavement.body.wear_mm > 0.0 ? paving::traffic(paved.pavement, paved.layout) : std::vector<double>{};
+  const Making making{paved, seed, relief_side_mm, relief, area, traffic};
+  std::vector<StoneText> texts(paved.layout.stones.size());
+  parallel_for_chunks(texts.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) texts[i] = stone_text(making, i);
+  });
+  return texts;
+}
+
+void append_decimal(std::string& text, std::int64_t units, int decimals) {
+  if (units < 0) {
+    text += '-';
+    units = -units;
+  }
+  std::int64_t scale = 1;
+  for (int i = 0; i < decimals; ++i) scale *= 10;
+  text += std::to_string(units / scale);
+  std::int64_t rest = units % scale;
+  if (rest == 0) return;
+  text += '.';
+  while (rest != 0) {
+    scale /= 10;
+    text += static_cast<char>('0' + rest / scale);
+    rest %= scale;
+  }
+}
+
+void append_stone_point(std::string& text, vec3 mm) {
+  text += '<';
+  append_decimal(text, geometry::to_lattice(mm.x), 3);
+  text += ',';
+  append_decimal(text, geometry::to_lattice(mm.z), 3);
+  text += ',';
+  append_decimal(text, geometry::to_lattice(mm.y), 3);
+  text += '>';
+}
+
+}  // namespace shatterpave::exporting::povray

@@ -1,0 +1,41 @@
+#include "paving/ground.h"
+
+#include <cmath>
+
+#include "core/random.h"
+
+namespace shatterpave::paving {
+
+namespace {
+
+// 6t⁵ − 15t⁴ + 10t³ and its derivative.
+double ease(double t) { return t * t * t * (t * (6.0 * t - 15.0) + 10.0); }
+double ease_slope(double t) { return 30.0 * t * t * (t - 1.0) * (t - 1.0); }
+
+// Neighbouring pavements of a scene lie on the same ground, so its name is no part of the address.
+double value(std::uint64_t seed, double column, double row) {
+  const auto index = [](double cell) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(cell)); };
+  return uniform(seed, {Stream::ground, Id("ground").child(index(column)).child(index(row))});
+}
+
+}  // namespace
+
+GroundPoint settlement(const Ground& ground, std::uint64_t seed, vec2 place) {
+  if (ground.settlement_mm == 0.0) return {};
+  // A hollow and the ridge beside it are two cells.
+  const double cell_mm = 0.5 * ground.settlement_length_mm;
+  const vec2 at = place / cell_mm;
+  const vec2 cell = {std::floor(at.x), std::floor(at.y)};
+  const vec2 within = at - cell;
+  const double a = value(seed, cell.x, cell.y);
+  const double b = value(seed, cell.x + 1.0, cell.y) - a;
+  const double c = value(seed, cell.x, cell.y + 1.0) - a;
+  const double d = value(seed, cell.x + 1.0, cell.y + 1.0) - a - b - c;
+  const double u = ease(within.x);
+  const double v = ease(within.y);
+  const double scale = ground.settlement_mm;
+  return {scale * (a + b * u + c * v + d * u * v - 1.0),
+          scale / cell_mm * vec2{ease_slope(within.x) * (b + d * v), ease_slope(within.y) * (c + d * u)}};
+}
+
+}  // namespace shatterpave::paving

@@ -226,7 +226,7 @@ TEST(TextureFiles, BaseColourIsSrgbInPngAndLinearInExr) {
   const auto read = [](const std::string& bytes, const std::string& name) {
     const fs::path path = fs::temp_directory_path() / (std::to_string(::getpid()) + name);
     std::ofstream(path, std::ios::binary) << bytes;
-    const relief::Raster raster = relief::read_raster(path.string());
+    relief::Raster raster = relief::read_raster(path.string());
     fs::remove(path);
     return raster;
   };

@@ -69,6 +69,7 @@ struct Cover {
 Cover cover(const std::vector<Stone>& stones, vec2 size_mm) {
   Cover result;
   std::vector<geometry::Box> boxes;
+  boxes.reserve(stones.size());
   for (const Stone& stone : stones) boxes.push_back(geometry::bounding_box(stone.outline_mm));
   for (int k = 0; k < points; ++k) {
     const vec2 at =

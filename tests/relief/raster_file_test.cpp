@@ -83,18 +83,14 @@ TEST_F(RasterFileTest, MipMapsAreTheMeansOfFourDownToOnePixel) {
     height = std::max(1, height / 2);
     ASSERT_EQ(input->spec(0, levels).width, width);
     ASSERT_EQ(input->spec(0, levels).height, height);
-    std::vector<float> level(static_cast<std::size_t>(width * height));
+    std::vector<float> level(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     ASSERT_TRUE(input->read_image(0, levels, 0, 1, OIIO::TypeDesc::FLOAT, level.data()));
-    const int right = wide > 1 ? 1 : 0;
-    const int down = static_cast<int>(larger.size()) > wide ? wide : 0;
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        const auto at = static_cast<std::size_t>(2 * y * wide + 2 * x);
-        const float mean =
-            0.25F * (larger[at] + larger[at + static_cast<std::size_t>(right)] + larger[at + static_cast<std::size_t>(down)] +
-                     larger[at + static_cast<std::size_t>(down + right)]);
-        ASSERT_FLOAT_EQ(level[static_cast<std::size_t>(y * width + x)], mean);
-      }
+    const auto length = static_cast<std::size_t>(wide);
+    const std::size_t right = wide > 1 ? 1 : 0;
+    const std::size_t down = larger.size() > length ? length : 0;
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      const std::size_t at = 2 * (i / static_cast<std::size_t>(width)) * length + 2 * (i % static_cast<std::size_t>(width));
+      ASSERT_FLOAT_EQ(level[i], 0.25F * (larger[at] + larger[at + right] + larger[at + down] + larger[at + down + right]));
     }
     larger = level;
   }

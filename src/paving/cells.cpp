@@ -25,10 +25,10 @@ namespace {
 using geometry::Delaunay;
 
 // A link is a diagonal if of its components along the rows and across them, in pitches, the lesser is at least this part of
-// the other. So perpends of two rows that are a fifth of a stone apart still meet. By trial on all plans of
+// the other. So perpends of two rows that are 0.15 of a stone apart still meet. By trial on all plans of
 // benchmarks/packing_quality: with less stones are sheared more, and differ more in size; with more, longer runs of Ts bend
 // about sharp bends, where not all stones can keep four sides.
-constexpr double least_diagonal = 0.82;
+constexpr double least_diagonal = 0.85;
 // The same where the bend is sharp: nearer to the diagonal than to the axes by angle (tan 22.5°).
 constexpr double least_sharp_diagonal = 0.41421356;
 
@@ -162,7 +162,7 @@ geometry::Polygon Cells::outline(std::size_t cell) const {
 
 Cells cells_of(std::span<const Particle> particles, const Pavement& pavement) {
   const vec2 pitch = pitch_mm(pavement);
-  // The sagitta of a stone's side, pitch · turn / 8, is not to be more than `largest_bulge` of a joint.
+  // A bend is sharp where the sagitta of a stone's side, pitch · turn / 8, is more than the largest bulge.
   const DiagonalRule rule{pitch, 8.0 * largest_bulge * pavement.joint_mm / std::max(pitch.x, pitch.y)};
   std::vector<vec2> points(particles.size());
   std::ranges::transform(particles, points.begin(), &Particle::at);

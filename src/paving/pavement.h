@@ -108,8 +108,7 @@ struct StoneBody {
 };
 
 // How stones differ from the places that the bond gives them; each draws its own, evenly within ± the value. A stone moves no
-// corner farther than into its half of the joint (three tenths of the joint along bent rows, whose sides are straight),
-// whatever is asked: so stones never touch and never leave the area.
+// corner farther than into its own part of the joint, whatever is asked: so stones never touch and never leave the area.
 struct Variation {
   double size = 0.0;          // larger or smaller by this part, 0 … 0.5
   Angle rotation;             // 0 … 45°

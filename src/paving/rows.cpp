@@ -4,6 +4,10 @@
 // mean of what its neighbours suggest; this is done on grids from coarse to fine, so that large areas agree first. Then each
 // sample votes for the point of its lattice nearest to it, and the votes are gathered into particles.
 //
+// Departing from there, neighbours do not count alike. Where the field bends, lattices cannot agree everywhere. What differs
+// along the row in the places of its stones makes these longer or shorter; what differs across, only shifts one row against the
+// next, which perpends that end in Ts bear (cells.h). So the former weighs more; and of rows, in columns, likewise.
+//
 // Beside borders that run along or across the rows the lattice is held so that a row ends there: stones at such a border
 // are whole.
 #include "paving/rows.h"
@@ -28,6 +32,9 @@ namespace {
 constexpr double samples_per_pitch = 2.2;
 // Sweeps of Gauss and Seidel on each level. By trial: the number of irregular spots no longer falls.
 constexpr int sweeps = 10;
+// How much more a neighbour counts for places along the line to it than for those across. By trial on all plans of
+// benchmarks/packing_quality: up to 4 areas spread less and less, by a tenth to a fifth.
+constexpr double along_weight = 4.0;
 // Samples this near to a border, in pitches, are held to it.
 constexpr double held_pitches = 1.0;
 // A border runs along the rows if the sine of the angle between them is less: 12°.
@@ -157,20 +164,26 @@ class PositionField {
   }
 
   void smooth(Level& level, bool backwards) const {
-    for (std::size_t k = 0; k < level.samples.size(); ++k) {
-      const std::size_t s = backwards ? level.samples.size() - 1 - k : k;
+    for (std::size_t step = 0; step < level.samples.size(); ++step) {
+      const std::size_t s = backwards ? level.samples.size() - 1 - step : step;
       Sample& sample = level.samples[s];
       vec2 sum{0.0, 0.0};
-      double count = 0.0;
-      for (const std::uint32_t n : level.neighbours[s]) {
+      vec2 count{0.0, 0.0};
+      // The first two neighbours lie along x, the others along y.
+      const vec2 squares = sample.axis * sample.axis;
+      const std::array<vec2, 2> weights{vec2{1.0, 1.0} + (along_weight - 1.0) * squares,
+                                        vec2{1.0, 1.0} + (along_weight - 1.0) * vec2{squares.y, squares.x}};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::uint32_t n = level.neighbours[s][k];
         if (n == none) continue;
         const Sample& other = level.samples[n];
         const Frame frame = mean_frame(sample.axis, other.axis, field_.is_cross(), pitch_);
         const vec2 q = frame.into(other.lattice - sample.lattice);
-        sum += frame.out_of(q - rounded(q));
-        count += 1.0;
+        sum += frame.out_of(weights[k / 2] * (q - rounded(q)));
+        count += weights[k / 2];
       }
-      if (count > 0.0) sample.lattice += sum / count;
+      const Frame own{sample.axis, pitch_};
+      if (count.x > 0.0) sample.lattice += own.out_of(own.into(sum) / count);
       hold(level, s);
       settle(sample);
     }

@@ -113,6 +113,8 @@ Case case_named(const std::string& name) {
   result.height = size[1];
   const std::int64_t oversampling = table["oversampling"].value_or(std::int64_t{1});
   if (oversampling < 1 || oversampling > 8) fail("oversampling is 1 to 8");
+  result.set = list<std::string>(table, "set");
+  result.draft = table["draft"].value_or(false);
   result.oversampling = static_cast<std::size_t>(oversampling);
   const auto grid = pair(table, "grid");
   result.grid = {grid[0], grid[1]};

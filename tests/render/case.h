@@ -2,6 +2,8 @@
 //
 //     about = "what the picture shows, and what it guards"
 //     scene = "scenes/stone_path.toml"      # from the root of the project; default: scene.toml of the folder
+//     set   = ["pavement[0].joint_mm=8"]    # as the command's --set; default: none
+//     draft = false                         # rendered as a draft, by Quality = 0
 //     size  = [160, 120]                    # of the picture, px
 //     oversampling = 1                      # rendered so many times as large, and averaged
 //     grid  = [4, 4]                        # columns and rows of the regions that are compared too
@@ -64,6 +66,8 @@ struct Case {
   std::string name;
   std::filesystem::path folder;
   std::filesystem::path scene;
+  std::vector<std::string> set;
+  bool draft = false;
   std::size_t width = 0;
   std::size_t height = 0;
   std::size_t oversampling = 1;

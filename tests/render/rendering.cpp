@@ -24,6 +24,7 @@ scene::Override override_of(const std::string& text) {
 
 exporting::Model model_of(const Case& of, const NearMiss* miss, std::optional<std::uint64_t> seed) {
   std::vector<scene::Override> overrides;
+  std::ranges::transform(of.set, std::back_inserter(overrides), override_of);
   if (miss != nullptr) std::ranges::transform(miss->set, std::back_inserter(overrides), override_of);
   scene::Scene read = scene::scene_of_file(of.scene, overrides);
   read.name = of.name;
@@ -57,6 +58,7 @@ relief::Raster picture(const Case& of, const NearMiss* miss, std::optional<std::
   if (miss != nullptr) {
     for (const Replacement& replacement : miss->replace) replace(files, replacement);
   }
+  if (of.draft) replace(files, {"#declare Quality = 1;", "#declare Quality = 0;"});
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   for (const exporting::OutputFile& file : files) {

@@ -29,7 +29,7 @@ Bed::Bed(const paving::Pavement& pavement, const relief::HeightField& grains, co
       patches_(grains, sampled_mm / patch_scale),
       grain_repeats_(whole_repeats(grid.size_mm(), grain_side_mm)),
       patch_repeats_(whole_repeats(grid.size_mm(), patch_scale * grain_side_mm)),
-      level_mm_(static_cast<float>(paving::bed_level_mm(pavement.surface))),
-      grain_mm_(static_cast<float>(std::min(sand_rms_mm, part_of_level * paving::bed_level_mm(pavement.surface)))) {}
+      level_mm_(static_cast<float>(paving::bed_level_mm(pavement))),
+      grain_mm_(static_cast<float>(std::min(sand_rms_mm, part_of_level * paving::bed_level_mm(pavement)))) {}
 
 }  // namespace shatterpave::exporting::textures

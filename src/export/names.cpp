@@ -12,6 +12,10 @@ std::string_view name_of(glass::CrackKind kind) {
       return "radial";
     case glass::CrackKind::circular:
       return "circular";
+    case glass::CrackKind::branch:
+      return "branch";
+    case glass::CrackKind::dice:
+      return "dice";
   }
   throw_broken_invariant("known CrackKind", __FILE_NAME__, __LINE__);
 }
@@ -22,6 +26,8 @@ std::string_view name_of(glass::CrackEnd::At at) {
       return "impact";
     case glass::CrackEnd::At::ring:
       return "ring";
+    case glass::CrackEnd::At::origin:
+      return "origin";
     case glass::CrackEnd::At::edge:
       return "edge";
     case glass::CrackEnd::At::crack:

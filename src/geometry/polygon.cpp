@@ -69,6 +69,10 @@ Box bounding_box(const Polygon& polygon) {
 
 bool contains(const Polygon& polygon, vec2 point) { return location(polygon, to_lattice(point)) != Location::outside; }
 
+bool contains_strictly(const Polygon& polygon, vec2 point) {
+  return location(polygon, to_lattice(point)) == Location::inside;
+}
+
 bool contains(const Region& region, vec2 point) {
   const LatticePoint p = to_lattice(point);
   if (location(region.outline, p) == Location::outside) return false;

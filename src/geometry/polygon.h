@@ -40,6 +40,8 @@ Box bounding_box(const Polygon& polygon);
 
 // Whether `point` lies inside or on the border, exact on the lattice.
 bool contains(const Polygon& polygon, vec2 point);
+// Inside and not on the border; exact on the lattice.
+bool contains_strictly(const Polygon& polygon, vec2 point);
 // Inside the outline or on a border, and not inside a hole.
 bool contains(const Region& region, vec2 point);
 

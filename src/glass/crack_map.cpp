@@ -116,7 +116,8 @@ std::array<LatticePoint, 11> candidate_joints(vec2 ideal, const Segment& met) {
 
 }  // namespace
 
-CrackMap::CrackMap(geometry::Polygon outline, double cell_mm) : outline_(std::move(outline)), index_(cell_mm) {
+CrackMap::CrackMap(geometry::Polygon outline, double cell_mm, bool tells_regions)
+    : outline_(std::move(outline)), tells_regions_(tells_regions), index_(cell_mm) {
   LatticePoint previous = geometry::to_lattice(outline_.back());
   for (const vec2& vertex : outline_) {
     const LatticePoint current = geometry::to_lattice(vertex);
@@ -130,7 +131,7 @@ bool CrackMap::is_edge(int segment) const { return index_.segment(segment).owner
 CrackMap::Hub CrackMap::add_hub(LatticePoint at) {
   const int node = graph_.add();
   crack_of_node_.push_back(-1);
-  hubs_.push_back({at, node});
+  hubs_.push_back({at, node, -1});
   hub_places_.insert(at);
   std::vector<int> through;
   index_.visit_near(at, at, [&](int number) {
@@ -141,6 +142,7 @@ CrackMap::Hub CrackMap::add_hub(LatticePoint at) {
     const Segment segment = index_.segment(number);
     if (at != segment.a && at != segment.b) insert_vertex(number, at);
     graph_.connect(node, record(segment.owner).node, at);
+    hubs_.back().crack = segment.owner;
   }
   return static_cast<Hub>(hubs_.size()) - 1;
 }
@@ -167,6 +169,7 @@ bool CrackMap::is_barred(LatticePoint from, LatticePoint to, int impact) const {
 }
 
 int CrackMap::start(Hub hub, CrackKind kind, int impact, CrackEnd::At start) {
+  ENSURE(start != CrackEnd::At::crack || hubs_[static_cast<std::size_t>(hub)].crack >= 0);
   const int crack = static_cast<int>(cracks_.size());
   Record& fresh = cracks_.push_back({});
   fresh.kind = kind;
@@ -274,7 +277,7 @@ Arrest CrackMap::join(int crack, LatticePoint joint, int met) {
   ending.end = at_edge ? CrackEnd{CrackEnd::At::edge, std::nullopt} : CrackEnd{CrackEnd::At::crack, touched};
   if (touched < 0) return {ending.end, {}};
   if (joint != segment.a && joint != segment.b && !at_edge) insert_vertex(met, joint);
-  Arrest arrest{ending.end, closed_region(crack, touched)};
+  Arrest arrest{ending.end, tells_regions_ ? closed_region(crack, touched) : std::vector<LatticePoint>{}};
   Record& other = record(touched);
   graph_.connect(ending.node, other.node, joint);
   if (other.growing && tip(touched) == joint) {
@@ -353,6 +356,9 @@ std::vector<Crack> CrackMap::cracks() const {
     const Record& record = cracks_[i];
     if (ids[i] < 0) continue;
     Crack crack{ids[i], record.impact, record.kind, {}, {record.start, std::nullopt}, record.end};
+    if (record.start == CrackEnd::At::crack) {
+      crack.start.crack = ids[static_cast<std::size_t>(hubs_[static_cast<std::size_t>(record.hub)].crack)];
+    }
     crack.points_mm.reserve(record.pieces.size() + 1);
     crack.points_mm.push_back(geometry::to_mm(origin(record)));
     for (const int piece : record.pieces) crack.points_mm.push_back(geometry::to_mm(segment(piece).b));

@@ -30,7 +30,8 @@ class CrackMap {
 
   //   outline  as in Pane
   //   cell_mm  > 0, cell of the index: about the length of a step of growth
-  CrackMap(geometry::Polygon outline, double cell_mm);
+  //   tells_regions  whether arrests tell the regions that they close, which costs more than all else
+  CrackMap(geometry::Polygon outline, double cell_mm, bool tells_regions = true);
 
   // A place for cracks to start at, not on the edge. Where it lies on a crack, that crack gets a vertex there.
   Hub add_hub(geometry::LatticePoint at);
@@ -39,7 +40,7 @@ class CrackMap {
   // Whether the straight way meets the edge, or a crack of an impact before `impact`.
   bool is_barred(geometry::LatticePoint from, geometry::LatticePoint to, int impact) const;
 
-  // A new crack that starts at the hub. Cracks are numbered from 0.
+  // A new crack that starts at the hub, which for At::crack lay on one when it was added. Cracks are numbered from 0.
   int start(Hub hub, CrackKind kind, int impact, CrackEnd::At start);
 
   // Lets a growing crack go straight on to `to`. If nothing is in the way, adds that vertex and returns nothing; else ends the
@@ -88,6 +89,7 @@ class CrackMap {
   struct HubRecord {
     geometry::LatticePoint at;
     int node = 0;
+    int crack = -1;  // on which it lies
   };
   struct Hit {
     int segment = 0;
@@ -111,6 +113,7 @@ class CrackMap {
             std::vector<geometry::LatticePoint>& border) const;
 
   geometry::Polygon outline_;
+  bool tells_regions_;
   geometry::SegmentIndex index_;
   ContactGraph graph_;
   geometry::GrowingStore<Record> cracks_;

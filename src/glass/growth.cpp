@@ -7,10 +7,12 @@
 // - ring cracks start when the large cracks are out of their way (ring_onset);
 // - a pull along its circle keeps a ring crack on it (ring_pull), where the paper states the rule without a formula;
 // - a weak pull keeps radials on their way out, however large the pane is (radial_pull);
-// - F2 between radials of one impact has a gain of its own (sibling_gain).
+// - F2 between radials of one impact has a gain of its own (sibling_gain);
 // - the second stop rule spares ring cracks: stopped in the middle of a region they would float in the glass, touching nothing.
-// In F1 only the nearest tips count (nearest_tips), in F2 only the nearest crack: with the square of the distance in the
-// denominator the rest hardly shows, and where radials crowd about the impact all pairs would be too many.
+// Beyond the paper, and none by default: radials that start late (radial_onset), branches (branch_rate_per_m), rings of pieces
+// in place of growing ones (Pattern::real). In F1 only the nearest tips count (nearest_tips), in F2 only the nearest crack:
+// with the square of the distance in the denominator the rest hardly shows, and where radials crowd about the impact all pairs
+// would be too many.
 #include "glass/growth.h"
 
 #include <fmt/format.h>
@@ -21,11 +23,14 @@
 #include <limits>
 
 #include "core/error.h"
-#include "geometry/point_index.h"
 #include "geometry/predicates.h"
 #include "glass/counts.h"
 #include "glass/crack_map.h"
+#include "glass/crater.h"
+#include "glass/dice.h"
+#include "glass/ring_pieces.h"
 #include "glass/steering.h"
+#include "glass/tip.h"
 
 namespace shatterpave::glass {
 
@@ -49,50 +54,16 @@ constexpr double least_order_mm = 0.002;
 // Pieces of a step shorter than this are not worth a vertex.
 constexpr double least_piece_mm = 0.02;
 
+// A crack needs this way to become so fast that it branches. By eye.
+constexpr double least_branching_mm = 12.0;
+// By which share of the angle between them a branch and the crack that it leaves turn. By eye.
+constexpr double branch_turn = 0.6;
+
 // No crack gets longer than this many diagonals of the pane's box; one that has wound about for so long ends open.
 constexpr double most_diagonals = 10.0;
 
 // Cells of the map of cracks: about a step of growth.
 constexpr double narrow_cell_mm = 9.0 * px_mm;
-
-// Cells of the index of tips: about as far as they are from one another where most grow.
-constexpr double wide_cell_mm = 16.0 * px_mm;
-
-struct Tip {
-  int crack = 0;
-  CrackKind kind = CrackKind::radial;
-  Id id;
-  vec2 at_mm{0.0, 0.0};
-  vec2 heading{1.0, 0.0};  // of unit length
-  double speed_mm = 0.0;   // per unit of time
-  double due = 0.0;        // when its next step is done
-  double inertia = 1.0;    // see inertia()
-  double decay = 1.0;      // by which a step of this tip multiplies it
-  double first_mm = 0.0;   // length of the first step
-  double length_mm = 0.0;
-  std::uint32_t steps = 0;
-  vec2 start_mm{0.0, 0.0};
-  std::optional<Ring> ring;
-};
-
-// A starting point of a ring crack whose time has not come.
-struct RingStart {
-  int index = 0;
-  Angle direction;
-  double radius_mm = 0.0;
-};
-
-struct ImpactState {
-  int index = 0;
-  Id id;
-  vec2 at_mm{0.0, 0.0};
-  ImpactCounts counts;
-  double now = 0.0;
-  std::vector<RingStart> waiting;
-  std::vector<Tip> tips;
-  std::vector<int> growing;                   // those of them that grow
-  geometry::PointIndex places{wide_cell_mm};  // where those are
-};
 
 // Where cracks would need more steps than this to cross the pane once, the scene is refused. With steps of the length by
 // default that is a pane of more than 2 km.
@@ -114,6 +85,7 @@ class PaneGrowth {
   void go_on(ImpactState& state);
   void forget_stopped(ImpactState& state) const;
   void step(Tip& tip, ImpactState& state);
+  void branch(Tip& tip, double way_mm, ImpactState& state);
   void steer(Tip& tip, const ImpactState& state) const;
   vec2 force_on(const Tip& tip, const Sector& sector, const ImpactState& state) const;
   std::optional<Wall> crack_before(const Tip& tip, const Sector& sector) const;
@@ -124,6 +96,7 @@ class PaneGrowth {
   Border piece(const Tip& tip, vec2 to_mm);
   std::vector<const Tip*> growing_within(const Border& border, const ImpactState& state) const;
   void settle(const ImpactState& state);
+  void lay_rings(ImpactState& state);
 
   const Pane& pane_;
   const Growth& growth_;
@@ -168,6 +141,8 @@ ImpactState PaneGrowth::initial_state(int impact) {
   state.id = Id(pane_.name).child("impact").child(static_cast<std::uint64_t>(impact));
   state.at_mm = geometry::on_lattice(cause.at_mm);
   state.counts = drawn_counts(cause, growth_, seed_, state.id);
+  if (pane_.pattern == Pattern::real) state.counts.circular_count = 0;
+  if (pane_.pattern == Pattern::real || pane_.glass == GlassKind::laminated) state.counts.crater = crater_of(cause, pane_);
   // Eq. 4, 7, 8.
   const int r = state.counts.circular_count;
   const double mean_mm = growth_.ring_radius_slope_mm * state.counts.radial_count + growth_.ring_radius_offset_mm;
@@ -204,12 +179,15 @@ void PaneGrowth::start_radials(ImpactState& state) {
     tip.speed_mm = px_mm * (large ? spread_about(growth_.large_speed, growth_, seed_, {Stream::large_speed, tip.id})
                                   : spread_about(growth_.radial_speed, growth_, seed_, {Stream::radial_speed, tip.id}));
     tip.first_mm = std::max(step_mm_, least_spacing_mm * m / (2.0 * pi));
+    if (!large && growth_.radial_onset > 0.0) {
+      tip.onset = growth_.radial_onset * uniform(seed_, {Stream::radial_onset, tip.id});
+    }
     add(state, tip);
   }
 }
 
 void PaneGrowth::add(ImpactState& state, Tip tip) const {
-  tip.due = state.now + tip.first_mm / tip.speed_mm;
+  tip.due = state.now + tip.onset + tip.first_mm / tip.speed_mm;
   tip.decay = inertia(step_mm_ / tip.speed_mm, growth_);
   const int number = static_cast<int>(state.tips.size());
   state.places.put(number, tip.at_mm);
@@ -316,18 +294,45 @@ void PaneGrowth::steer(Tip& tip, const ImpactState& state) const {
   tip.heading = glm::normalize(turned(tip.heading, turn(force, tip.heading, 1.0 - tip.inertia, growth_.step_length, growth_)));
 }
 
-// Eq. 17, and the stop rules of §4.2.3. The first step goes straight.
+// Eq. 17, and the stop rules of §4.2.3. The first step goes straight, and so does the first after a branch.
 void PaneGrowth::step(Tip& tip, ImpactState& state) {
   const bool first = tip.steps == 0;
   const double way_mm = first ? tip.first_mm : step_mm_;
-  if (!first) steer(tip, state);
+  if (!first && !tip.straight) steer(tip, state);
+  tip.straight = false;
   tip.at_mm += way_mm * tip.heading;
   tip.length_mm += way_mm;
   tip.inertia *= first ? inertia(way_mm / tip.speed_mm, growth_) : tip.decay;
   tip.due += step_mm_ / tip.speed_mm;
   ++tip.steps;
   extend(tip, tip.at_mm, state);
-  if (tip.length_mm > longest_mm_ && map_.is_growing(tip.crack)) map_.stop(tip.crack, CrackEnd::At::open);
+  if (!map_.is_growing(tip.crack)) return;
+  if (tip.length_mm > longest_mm_)
+    map_.stop(tip.crack, CrackEnd::At::open);
+  else if (growth_.branch_rate_per_m > 0.0)
+    branch(tip, way_mm, state);
+}
+
+// Lets a fast crack branch at its tip, by chance. Both turn from where it went.
+void PaneGrowth::branch(Tip& tip, double way_mm, ImpactState& state) {
+  const bool fast = tip.kind == CrackKind::large || tip.kind == CrackKind::branch;
+  if (!fast || tip.length_mm < least_branching_mm) return;
+  const auto draw = [&](std::uint32_t number) { return uniform(seed_, {Stream::branch, tip.id, 3 * tip.steps + number}); };
+  if (draw(0) >= growth_.branch_rate_per_m * way_mm / 1000.0) return;
+  const Angle angle = growth_.least_branch_angle + draw(1) * (growth_.greatest_branch_angle - growth_.least_branch_angle);
+  const double side = draw(2) < 0.5 ? 1.0 : -1.0;
+  const LatticePoint at = map_.tip(tip.crack);
+  Tip fresh;
+  fresh.kind = CrackKind::branch;
+  fresh.id = tip.id.child("branch").child(tip.steps);
+  fresh.crack = map_.start(map_.add_hub(at), fresh.kind, state.index, CrackEnd::At::crack);
+  fresh.at_mm = fresh.start_mm = geometry::to_mm(at);
+  fresh.heading = turned(tip.heading, side * branch_turn * angle);
+  fresh.speed_mm = tip.speed_mm;
+  fresh.first_mm = step_mm_;
+  state.branches.push_back(fresh);
+  tip.heading = turned(tip.heading, side * (branch_turn - 1.0) * angle);
+  tip.straight = true;
 }
 
 // Leads the crack to where its tip is by now, if nothing is in the way. Where that closes a region, every tip inside it stops
@@ -397,6 +402,8 @@ void PaneGrowth::go_on(ImpactState& state) {
     step(tip, state);
     state.places.put(number, tip.at_mm);
   }
+  for (const Tip& fresh : state.branches) add(state, fresh);
+  state.branches.clear();
   forget_stopped(state);
 }
 
@@ -425,11 +432,23 @@ void PaneGrowth::settle(const ImpactState& state) {
   }
 }
 
+// In place of ring cracks that grow: pieces from radial to radial.
+void PaneGrowth::lay_rings(ImpactState& state) {
+  std::vector<int> radials;
+  for (const Tip& tip : state.tips) radials.push_back(tip.crack);
+  const std::vector<int> arms = lay_ring_pieces(pane_, {state.index, state.id, state.at_mm}, radials, seed_, map_);
+  for (const int arm : arms) {
+    for (const int piece : map_.pieces(arm)) obstacles_.add(map_.segment(piece));
+  }
+  state.counts.circular_count = static_cast<int>(arms.size() / 2);
+}
+
 ImpactCounts PaneGrowth::strike(int impact) {
   ImpactState state = initial_state(impact);
   start_radials(state);
   while (!is_over(state)) go_on(state);
   settle(state);
+  if (pane_.pattern == Pattern::real) lay_rings(state);
   return state.counts;
 }
 
@@ -442,15 +461,6 @@ std::vector<ImpactCounts> grow(const Pane& pane, std::uint64_t seed, CrackMap& m
   return counts;
 }
 
-bool strictly_inside(const geometry::Polygon& outline, vec2 point) {
-  const LatticePoint p = geometry::to_lattice(point);
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const vec2 next = outline[(i + 1) % outline.size()];
-    if (geometry::on_segment(geometry::to_lattice(outline[i]), geometry::to_lattice(next), p)) return false;
-  }
-  return geometry::contains(outline, point);
-}
-
 void check(const Pane& pane) {
   const Growth& growth = pane.growth;
   if (!(diagonal(pane.outline_mm) <= most_steps_across * growth.step_length * px_mm)) {
@@ -459,9 +469,18 @@ void check(const Pane& pane) {
   }
   for (std::size_t i = 0; i < pane.impacts.size(); ++i) {
     const vec2 at = pane.impacts[i].at_mm;
-    if (strictly_inside(pane.outline_mm, at)) continue;
+    if (geometry::contains_strictly(pane.outline_mm, at)) continue;
     throw InputError(Place{"", 0, 0, fmt::format("{}.impact[{}].at_mm", pane.name, i)},
                      fmt::format("expected a point inside the outline, got ({}, {})", at.x, at.y));
+  }
+}
+
+// Which cracks of laminated glass run through both sheets.
+void draw_through(const Pane& pane, std::uint64_t seed, CrackNetwork& network) {
+  const Id id = Id(pane.name).child("through");
+  for (Crack& crack : network.cracks) {
+    const Address address{Stream::through, id.child(static_cast<std::uint64_t>(crack.id))};
+    crack.through = uniform(seed, address) < pane.laminate.through;
   }
 }
 
@@ -469,9 +488,12 @@ void check(const Pane& pane) {
 
 CrackNetwork grown_cracks(const Pane& pane, std::uint64_t seed) {
   check(pane);
+  if (pane.glass == GlassKind::tempered) return diced_pane(pane, seed);
   CrackMap map(pane.outline_mm, narrow_cell_mm);
   std::vector<ImpactCounts> counts = grow(pane, seed, map);
-  return {std::move(counts), map.cracks()};
+  CrackNetwork network{std::move(counts), map.cracks()};
+  if (pane.glass == GlassKind::laminated) draw_through(pane, seed, network);
+  return network;
 }
 
 }  // namespace shatterpave::glass

@@ -8,12 +8,23 @@
 
 namespace shatterpave::glass {
 
+// What an impact does to the glass about it, besides cracks: circles about the impact, which may reach beyond the edge.
+struct Crater {
+  double crushed_radius_mm = 0.0;  // glass ground to powder, right through
+  double near_radius_mm = 0.0;     // spall on the side of the impact, >= the former
+  double far_radius_mm = 0.0;      // spall on the other side, a cone's wider end: >= the former
+  double milky_radius_mm = 0.0;    // laminated glass: white with fine cracks as far as here; 0: nowhere
+
+  bool operator==(const Crater&) const = default;
+};
+
 // The numbers of cracks of an impact as they were drawn: M, N and R of the paper.
 struct ImpactCounts {
   vec2 at_mm{0.0, 0.0};
   int radial_count = 0;
   int large_count = 0;
   int circular_count = 0;
+  std::optional<Crater> crater{};  // none in the paper's model
 
   bool operator==(const ImpactCounts&) const = default;
 };
@@ -22,6 +33,8 @@ enum class CrackKind {
   large,     // radial, meant to reach the edge
   radial,    // every other radial
   circular,  // one arm of a ring crack; the two arms of a starting point are two cracks
+  branch,    // leaves a radial crack, or another branch, which goes on
+  dice,      // a border of the fragments of tempered glass
 };
 
 // Where a crack starts or ends.
@@ -29,8 +42,9 @@ struct CrackEnd {
   enum class At {
     impact,    // starts: at the impact
     ring,      // starts: at the starting point of a ring crack, which its two arms share
+    origin,    // starts, dice: within the glass, where no crack was yet
     edge,      // ends on the edge of the pane
-    crack,     // ends on the crack with the id `crack`, in a vertex of its polyline
+    crack,     // starts or ends on the crack with the id `crack`, in a vertex of its polyline
     enclosed,  // stopped within a region that cracks closed about it (§4.2.3 (2))
     open,      // growth ended before it met anything
   };
@@ -47,11 +61,12 @@ struct Crack {
   std::vector<vec2> points_mm;  // two or more, distinct from one to the next, on the lattice, from start to tip
   CrackEnd start;
   CrackEnd end;
+  bool through = true;  // whether it runs from face to face; in laminated glass it may be in one of the two sheets only
 
   bool operator==(const Crack&) const = default;
 };
 
-// Cracks do not cross: two of them meet only where one ends on the other, or where they start together.
+// Cracks do not cross: two of them meet only where one starts or ends on the other, or where they start together.
 struct CrackNetwork {
   std::vector<ImpactCounts> impacts;
   std::vector<Crack> cracks;

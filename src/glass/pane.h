@@ -78,11 +78,18 @@ struct Growth {
                                         // paper measures turns: their deviation is 1.9° at 7, 3.1° at 14, 5.1° at 28. The range
                                         // of Fig. 5 would follow from more, less what tracking by whole pixels adds; but large
                                         // panes then look like rivers rather than glass
-  double radial_pull = 0.4;  // pull of radials away from their impact, in units of F3. The wander of F3 alone forgets its
-                             // direction within about a metre, and cracks of large panes would curl. Turns deviate by 4.1° at
-                             // 0, where 1.2 % of the large cracks end on others; by 2.6° at 0.8, where square ends are 97 %
-  double ring_pull = 0.6;    // rule 5: pull back to the circle of a ring crack; more makes rings rounder. Mean radii stay the
-                             // same from 0.15 to 2.4
+  double radial_pull = 0.4;   // pull of radials away from their impact, in units of F3. The wander of F3 alone forgets its
+                              // direction within about a metre, and cracks of large panes would curl. Turns deviate by 4.1° at
+                              // 0, where 1.2 % of the large cracks end on others; by 2.6° at 0.8, where square ends are 97 %
+  double ring_pull = 0.6;     // rule 5: pull back to the circle of a ring crack; more makes rings rounder. Mean radii stay the
+                              // same from 0.15 to 2.4
+  double radial_onset = 0.0;  // radials but the large ones start up to so long after the impact, each its own, in units of
+                              // time: above 0 their lengths vary. In the paper all start at once
+  // Branches of large cracks, of which the paper has none. An angle of 30 to 45° between the two is that of fast cracks: Quinn,
+  // "Fractography of Ceramics and Glasses", NIST SP 960-16e2.
+  double branch_rate_per_m = 0.0;  // how many leave a metre of a large crack, or of a branch
+  Angle least_branch_angle = Angle::degrees(30.0);
+  Angle greatest_branch_angle = Angle::degrees(45.0);
   double ring_onset = 1.25;  // a ring crack starts once every large crack of its impact has stopped, or is this many ring
                              // radii out. At 0 rings cut off 42 % of the large cracks, and N no longer goes with M. In real
                              // panes radials run first, and rings follow as the freed strips bend
@@ -104,12 +111,67 @@ struct Impact {
   bool operator==(const Impact&) const = default;
 };
 
+// How glass is made, and so how it breaks.
+enum class GlassKind {
+  annealed,   // window glass
+  laminated,  // two sheets that a film holds together
+  tempered,   // by heat: the whole pane falls to dice
+};
+
+// Where ring cracks of annealed and of laminated glass come from.
+enum class Pattern {
+  agui1992,  // a few starting points at about one distance, as Growth says
+  real,      // rings of pieces from one radial to the next, as Rings says; starting points of Growth are left out
+};
+
+// Ring cracks as in real panes: "mostly straight or slightly bowed segments between radials", on which they end, and which do
+// not meet those of the next sector (SWGMAT, "Glass Fractures", 2005). By eye where no source is named.
+struct Rings {
+  int count = 5;  // 0 … 100
+  double first_radius_mm = 12.0;
+  double ratio = 1.6;          // of the radius of a ring to that of the one before, > 1: denser towards the impact
+  double spread = 0.35;        // a piece is off its ring by up to this share of the way to the next ring
+  double interruption = 0.35;  // part of the sectors that a ring leaves out
+  double bow = 0.25;           // 0: pieces are straight; 1: they follow the circle. Wide sectors have more
+
+  bool operator==(const Rings&) const = default;
+};
+
+// Rings of laminated glass: what holds together goes on to break, so there are more, and fewer gaps. By eye.
+inline constexpr Rings laminated_rings{12, 7.0, 1.28, 0.4, 0.12, 0.15};
+
+// Of laminated glass; by eye.
+struct Laminate {
+  double through = 0.35;         // part of the cracks that run through both sheets
+  double milky_width_mm = 12.0;  // of the white rim about the crushed zone
+
+  bool operator==(const Laminate&) const = default;
+};
+
+// Of tempered glass. The fragments of a square of 50 × 50 mm are those that EN 12150-1 counts.
+struct Tempering {
+  // Of the surface: EN 12150 glass has 90 MPa and more. The length of cracks that its energy pays for goes with the square of
+  // the stress, so the number of fragments goes with its fourth power, as Barsom (J. Am. Ceram. Soc. 51, 1968) measured.
+  double surface_stress_mpa = 100.0;
+  std::optional<double> count_per_square;  // 1 … 2500; else from the stress and the thickness (see fragment_count)
+  std::optional<double> splinter_ratio;    // length to width of fragments near the impact, 1 … 20; else from the thickness
+  double splinter_reach_mm = 80.0;         // how far they go: what EN 12150 leaves out about the impact
+
+  bool operator==(const Tempering&) const = default;
+};
+
 struct Pane {
   std::string name;              // unique in its scene, an identifier: letters, digits, '_' and '-'
   geometry::Polygon outline_mm;  // simple, counter-clockwise, on the lattice
   double thickness_mm = 2.0;     // > 0
   std::vector<Impact> impacts;   // in the order in which they happened
   Growth growth;
+  GlassKind glass = GlassKind::annealed;
+  Pattern pattern = Pattern::agui1992;
+  Rings rings;                               // of Pattern::real
+  Angle crater_cone = Angle::degrees(68.0);  // of spall, from upright: that of Hertz's cone crack in glass; of Pattern::real
+  Laminate laminate;
+  Tempering tempering;
 
   bool operator==(const Pane&) const = default;
 };

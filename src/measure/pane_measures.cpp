@@ -47,6 +47,7 @@ void count_end(const CrackEnd& end, EndCounts& counts) {
       return;
     case CrackEnd::At::impact:
     case CrackEnd::At::ring:
+    case CrackEnd::At::origin:
     case CrackEnd::At::open:
       ++counts.open;
       return;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "geometry/delaunay.h"
 #include "geometry/lattice.h"
+#include "geometry/voronoi.h"
 #include "paving/bond_patterns.h"
 #include "paving/near_points.h"
 
@@ -18,49 +18,8 @@ namespace {
 constexpr double least_side = 0.18;
 constexpr int lloyd_steps = 1;
 
-// The point as far from a as from b and c; their mean where they lie on one line.
-vec2 circumcentre(vec2 a, vec2 b, vec2 c) {
-  const vec2 p = b - a;
-  const vec2 q = c - a;
-  const double twice = 2.0 * cross(p, q);
-  if (twice == 0.0) return (a + b + c) / 3.0;
-  return a + vec2{q.y * glm::dot(p, p) - p.y * glm::dot(q, q), p.x * glm::dot(q, q) - q.x * glm::dot(p, p)} / twice;
-}
-
-// Voronoi cells as lists of corners, counter-clockwise; those at the rim, which have no end, are empty.
-struct Diagram {
-  std::vector<vec2> corners;
-  std::vector<std::vector<std::uint32_t>> cells;
-
-  geometry::Polygon outline(std::size_t cell) const {
-    geometry::Polygon polygon;
-    for (const std::uint32_t corner : cells[cell]) polygon.push_back(corners[corner]);
-    return polygon;
-  }
-};
-
-Diagram voronoi(const std::vector<vec2>& seeds) {
-  using geometry::Delaunay;
-  const Delaunay mesh = geometry::delaunay(seeds);
-  Diagram diagram{std::vector<vec2>(mesh.face_count), std::vector<std::vector<std::uint32_t>>(seeds.size())};
-  std::vector<bool> known(mesh.face_count, false);
-  for (std::size_t s = 0; s < seeds.size(); ++s) {
-    const auto around = mesh.around(s);
-    if (std::ranges::any_of(around, [](const Delaunay::Spoke& spoke) { return spoke.face == Delaunay::none; })) continue;
-    for (std::size_t k = 0; k < around.size(); ++k) {
-      const std::uint32_t face = around[k].face;
-      diagram.cells[s].push_back(face);
-      if (known[face]) continue;
-      known[face] = true;
-      diagram.corners[face] =
-          circumcentre(seeds[s], seeds[around[k].neighbour], seeds[around[(k + 1) % around.size()].neighbour]);
-    }
-  }
-  return diagram;
-}
-
 // Takes the corners of each short side together, in its middle; a corner once. Returns whether there were any.
-bool join_near_corners(Diagram& diagram, double least_mm) {
+bool join_near_corners(geometry::Voronoi& diagram, double least_mm) {
   std::vector<std::uint32_t> stands(diagram.corners.size());
   std::iota(stands.begin(), stands.end(), 0U);
   std::vector<bool> taken(diagram.corners.size(), false);
@@ -97,9 +56,8 @@ std::vector<Tile> crazy_tiles(vec2 pitch, const Placement& placement, const geom
     const vec2 place = pitch * (vec2{static_cast<double>(p.i), static_cast<double>(p.j)} + draw);
     seeds.push_back(geometry::on_lattice(placement.out_of(place)));
   }
-  std::ranges::sort(seeds, [](vec2 a, vec2 b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
-  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
-  Diagram diagram = voronoi(seeds);
+  geometry::sort_distinct(seeds);
+  geometry::Voronoi diagram = geometry::voronoi(seeds);
   for (int step = 0; step < lloyd_steps; ++step) {
     for (std::size_t s = 0; s < seeds.size(); ++s) {
       if (diagram.cells[s].empty()) continue;
@@ -107,7 +65,7 @@ std::vector<Tile> crazy_tiles(vec2 pitch, const Placement& placement, const geom
       const vec2 middle = geometry::on_lattice(geometry::centroid(diagram.outline(s)));
       if (glm::length(middle - seeds[s]) < std::max(pitch.x, pitch.y)) seeds[s] = middle;
     }
-    diagram = voronoi(seeds);
+    diagram = geometry::voronoi(seeds);
   }
   // What was joined may be near to another corner; a few rounds leave nothing.
   constexpr int most_rounds = 8;

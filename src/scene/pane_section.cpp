@@ -6,7 +6,6 @@
 #include <array>
 
 #include "geometry/lattice.h"
-#include "geometry/predicates.h"
 #include "glass/presets.h"
 #include "scene/input_file.h"
 #include "scene/section.h"
@@ -21,6 +20,7 @@ constexpr std::size_t most_panes = 1000;
 constexpr std::size_t most_impacts = 1000;
 constexpr int most_radials = 10'000;
 constexpr int most_ring_starts = 1000;
+constexpr int most_rings = 100;
 
 struct GrowthNumber {
   std::string_view key;
@@ -57,6 +57,8 @@ constexpr std::array growth_numbers = {
     GrowthNumber{"radial_pull", &Growth::radial_pull, {0.0, 1000.0}},
     GrowthNumber{"ring_pull", &Growth::ring_pull, {0.0, 1000.0}},
     GrowthNumber{"ring_onset", &Growth::ring_onset, {0.0, 1000.0}},
+    GrowthNumber{"radial_onset", &Growth::radial_onset, {0.0, 1000.0}},
+    GrowthNumber{"branch_rate_per_m", &Growth::branch_rate_per_m, {0.0, 1000.0}},
 };
 
 void read_angle(const TomlTable& table, std::string_view key, const Range& range, Angle& angle) {
@@ -73,7 +75,7 @@ void read_growth(const TomlTable& pane, Growth& growth) {
                             "large_deviation", "large_rounding",    "ring_radius_slope_mm", "ring_radius_offset_mm",
                             "tip_gain_px2",    "crack_gain_px2",    "sibling_gain_px2",     "edge_gain_px2",
                             "wander_deg",      "turn_length_px",    "radial_pull",          "ring_pull",
-                            "ring_onset"});
+                            "ring_onset",      "radial_onset",      "branch_rate_per_m",    "branch_angle_deg"});
   if (!table) return;
   if (const auto law = table->choice("count_law", {"poisson", "table1"})) {
     growth.count_dispersion = *law == 0 ? 1.0 : glass::table_1_dispersion;
@@ -82,6 +84,14 @@ void read_growth(const TomlTable& pane, Growth& growth) {
   read_angle(*table, "sector_angle_deg", {1.0, 180.0}, growth.sector_angle);
   read_angle(*table, "turn_limit_deg", {0.0, 90.0}, growth.turn_limit);
   read_angle(*table, "wander_deg", {0.0, 90.0}, growth.wander);
+  if (const auto range = table->point("branch_angle_deg", {0.0, 90.0})) {
+    if (range->x > range->y) {
+      refuse(table->place("branch_angle_deg"), "the least angle, then the greatest",
+             fmt::format("[{}, {}]", range->x, range->y));
+    }
+    growth.least_branch_angle = Angle::degrees(range->x);
+    growth.greatest_branch_angle = Angle::degrees(range->y);
+  }
   if (const auto law = table->choice("spread", {"normal", "uniform"})) {
     growth.spread = *law == 0 ? glass::Spread::normal : glass::Spread::uniform;
   }
@@ -89,6 +99,45 @@ void read_growth(const TomlTable& pane, Growth& growth) {
     constexpr std::array values = {glass::Rounding::down, glass::Rounding::nearest, glass::Rounding::up};
     growth.large_rounding = values[*rounding];
   }
+}
+
+// The kind of glass, and what belongs to one kind or pattern only. Keys of the others are checked, so that kinds can be tried
+// in turn.
+void read_kind(const TomlTable& pane, glass::Pane& result) {
+  if (const auto kind = pane.choice("glass", {"annealed", "laminated", "tempered"})) {
+    constexpr std::array values = {glass::GlassKind::annealed, glass::GlassKind::laminated, glass::GlassKind::tempered};
+    result.glass = values[*kind];
+  }
+  const bool laminated = result.glass == glass::GlassKind::laminated;
+  if (laminated) result.pattern = glass::Pattern::real;
+  if (laminated) result.rings = glass::laminated_rings;
+  if (const auto pattern = pane.choice("pattern", {"agui1992", "real"})) {
+    result.pattern = *pattern == 0 ? glass::Pattern::agui1992 : glass::Pattern::real;
+  }
+  if (const auto rings = pane.table("rings", {"count", "first_radius_mm", "ratio", "spread", "interruption", "bow"})) {
+    if (const auto count = rings->whole_number("count", 0, most_rings)) result.rings.count = static_cast<int>(*count);
+    rings->read("first_radius_mm", {0.1, 100'000.0}, result.rings.first_radius_mm);
+    rings->read("ratio", {1.01, 100.0}, result.rings.ratio);
+    rings->read("spread", {0.0, 0.5}, result.rings.spread);
+    rings->read("interruption", {0.0, 1.0}, result.rings.interruption);
+    rings->read("bow", {0.0, 1.0}, result.rings.bow);
+  }
+  if (const auto crater = pane.table("crater", {"cone_deg"})) {
+    read_angle(*crater, "cone_deg", {0.0, 85.0}, result.crater_cone);
+  }
+  if (const auto laminate = pane.table("laminate", {"through", "milky_width_mm"})) {
+    laminate->read("through", {0.0, 1.0}, result.laminate.through);
+    laminate->read("milky_width_mm", {0.0, 1000.0}, result.laminate.milky_width_mm);
+  }
+}
+
+void read_tempering(const TomlTable& pane, glass::Tempering& tempering) {
+  const auto table = pane.table("tempering", {"surface_stress_mpa", "count_per_square", "splinter_ratio", "splinter_reach_mm"});
+  if (!table) return;
+  table->read("surface_stress_mpa", {20.0, 1000.0}, tempering.surface_stress_mpa);
+  tempering.count_per_square = table->number("count_per_square", {1.0, 2500.0});
+  tempering.splinter_ratio = table->number("splinter_ratio", {1.0, 20.0});
+  table->read("splinter_reach_mm", {1.0, 10'000.0}, tempering.splinter_reach_mm);
 }
 
 const glass::Preset* preset_of(const TomlTable& pane) {
@@ -110,16 +159,6 @@ void apply_counts(const glass::Preset& preset, glass::Impact& impact) {
   }
 }
 
-bool strictly_inside(const geometry::Polygon& outline, vec2 point) {
-  if (!geometry::contains(outline, point)) return false;
-  const geometry::LatticePoint p = geometry::to_lattice(point);
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const vec2 next = outline[(i + 1) % outline.size()];
-    if (geometry::on_segment(geometry::to_lattice(outline[i]), geometry::to_lattice(next), p)) return false;
-  }
-  return true;
-}
-
 std::optional<int> count_of(const TomlTable& table, std::string_view key, int low, int high) {
   const auto value = table.whole_number(key, low, high);
   return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
@@ -130,7 +169,7 @@ glass::Impact impact_of(const TomlTable& table, const glass::Pane& pane) {
   const auto at = table.point("at_mm", coordinate_range);
   if (!at) refuse(table.place("at_mm"), "a point [x, y]", "none");
   impact.at_mm = geometry::on_lattice(*at);
-  if (!strictly_inside(pane.outline_mm, impact.at_mm)) {
+  if (!geometry::contains_strictly(pane.outline_mm, impact.at_mm)) {
     refuse(table.place("at_mm"), "a point inside the outline of the pane", fmt::format("({}, {})", at->x, at->y));
   }
   impact.mean_radial_count = table.number("mean_radial_count", {1.0, most_radials});
@@ -157,7 +196,7 @@ std::vector<glass::Impact> impacts_of(const TomlTable& table, const glass::Pane&
   const geometry::Box box = geometry::bounding_box(pane.outline_mm);
   glass::Impact middle;
   middle.at_mm = geometry::on_lattice(0.5 * (box.low + box.high));
-  if (!has_preset || !strictly_inside(pane.outline_mm, middle.at_mm)) {
+  if (!has_preset || !geometry::contains_strictly(pane.outline_mm, middle.at_mm)) {
     refuse(table.place("impact"), "one or more tables [[pane.impact]]", "none");
   }
   return {middle};
@@ -185,6 +224,8 @@ glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
     for (glass::Impact& impact : pane.impacts) apply_counts(*preset, impact);
   }
   read_growth(table, pane.growth);
+  read_kind(table, pane);
+  read_tempering(table, pane.tempering);
   return pane;
 }
 
@@ -192,9 +233,10 @@ glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
 
 std::vector<glass::Pane> panes_of(const TomlTable& root, Plans& plans, Names& names) {
   std::vector<glass::Pane> panes;
-  for (const TomlTable& table : root.tables("pane", most_panes,
-                                            {"name", "size_mm", "outline_mm", "outline_file", "outline_feature",
-                                             "outline_class", "outline_units", "thickness_mm", "preset", "impact", "growth"})) {
+  for (const TomlTable& table : root.tables(
+           "pane", most_panes,
+           {"name", "size_mm", "outline_mm", "outline_file", "outline_feature", "outline_class", "outline_units",
+            "thickness_mm", "preset", "impact", "growth", "glass", "pattern", "rings", "crater", "laminate", "tempering"})) {
     panes.push_back(pane_of(table, plans, names));
   }
   return panes;

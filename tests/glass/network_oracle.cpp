@@ -86,16 +86,48 @@ class Faults {
   std::vector<std::string> found;
 };
 
+// Whether the point is one of the crack's vertices.
+bool is_vertex(LatticePoint p, const Crack& crack) {
+  const CrackFaces::Polyline points = on_lattice(crack);
+  return std::ranges::find(points, p) != points.end();
+}
+
+bool may_start(CrackKind kind, CrackEnd::At at) {
+  switch (kind) {
+    case CrackKind::circular:
+      return at == CrackEnd::At::ring;
+    case CrackKind::branch:
+      return at == CrackEnd::At::crack;
+    case CrackKind::dice:
+      return at == CrackEnd::At::impact || at == CrackEnd::At::crack || at == CrackEnd::At::origin;
+    case CrackKind::large:
+    case CrackKind::radial:
+      break;
+  }
+  return at == CrackEnd::At::impact;
+}
+
 void check_start(const Crack& crack, const CrackNetwork& network, Faults& faults) {
-  const bool is_ring = crack.kind == CrackKind::circular;
   if (crack.impact < 0 || crack.impact >= static_cast<int>(network.impacts.size())) return faults.add(crack, "of no impact");
-  if (crack.start != CrackEnd{is_ring ? CrackEnd::At::ring : CrackEnd::At::impact, {}}) faults.add(crack, "a wrong start");
+  if (!may_start(crack.kind, crack.start.at)) faults.add(crack, "a wrong start");
+  if (crack.start.crack.has_value() != (crack.start.at == CrackEnd::At::crack)) faults.add(crack, "a start without its crack");
   const vec2 impact = network.impacts[static_cast<std::size_t>(crack.impact)].at_mm;
-  if (!is_ring && crack.points_mm.front() != impact) faults.add(crack, "does not start at its impact");
+  if (crack.start.at == CrackEnd::At::impact && crack.points_mm.front() != impact) {
+    faults.add(crack, "does not start at its impact");
+  }
+  if (crack.start.crack) {
+    const int on = *crack.start.crack;
+    const bool known = on >= 0 && on < static_cast<int>(network.cracks.size()) && on != crack.id;
+    if (!known || !is_vertex(geometry::to_lattice(crack.points_mm.front()), network.cracks[static_cast<std::size_t>(on)])) {
+      faults.add(crack, "starts on no crack");
+    }
+  }
   const auto starts_with = [&](const Crack& other) {
     return other.kind == CrackKind::circular && other.points_mm.front() == crack.points_mm.front();
   };
-  if (is_ring && std::ranges::count_if(network.cracks, starts_with) > 2) faults.add(crack, "a third arm");
+  if (crack.kind == CrackKind::circular && std::ranges::count_if(network.cracks, starts_with) > 2) {
+    faults.add(crack, "a third arm");
+  }
 }
 
 void check_end(const Crack& crack, const CrackNetwork& network, const std::vector<Piece>& edge, Faults& faults) {

@@ -6,7 +6,6 @@
 #include "core/functions.h"
 #include "core/random.h"
 #include "geometry/lattice.h"
-#include "geometry/predicates.h"
 #include "geometry/simple.h"
 #include "glass/growth.h"
 #include "glass/steering.h"
@@ -101,15 +100,6 @@ Polygon outline_on_lattice(Draws& draws) {
   }
 }
 
-bool strictly_inside(const Polygon& outline, vec2 point) {
-  const geometry::LatticePoint p = geometry::to_lattice(point);
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const vec2 next = outline[(i + 1) % outline.size()];
-    if (geometry::on_segment(geometry::to_lattice(outline[i]), geometry::to_lattice(next), p)) return false;
-  }
-  return geometry::contains(outline, point);
-}
-
 vec2 some_um(Draws& draws) { return {draws.between(-0.004, 0.004), draws.between(-0.004, 0.004)}; }
 
 vec2 place(const Pane& pane, std::uint64_t seed, Draws& draws) {
@@ -182,7 +172,7 @@ Pane random_pane(std::uint64_t seed, const Oddness& oddness) {
   while (static_cast<int>(pane.impacts.size()) < impacts) {
     Impact impact;
     impact.at_mm = geometry::on_lattice(place(pane, seed, draws));
-    if (!strictly_inside(pane.outline_mm, impact.at_mm)) continue;
+    if (!geometry::contains_strictly(pane.outline_mm, impact.at_mm)) continue;
     impact.radial_count = draws.count(1, oddness.most_radials);
     if (draws.chance(0.3)) impact.large_count = draws.count(0, *impact.radial_count);
     impact.circular_count = draws.count(0, 8);

@@ -67,8 +67,14 @@ void put_end(Buffer& out, const glass::CrackEnd& end) {
 void put_impact(Buffer& out, const glass::ImpactCounts& impact) {
   put(out, "{\"at_mm\":");
   put_point(out, impact.at_mm);
-  fmt::format_to(std::back_inserter(out), ",\"radial_count\":{},\"large_count\":{},\"circular_count\":{}}}",
-                 impact.radial_count, impact.large_count, impact.circular_count);
+  fmt::format_to(std::back_inserter(out), ",\"radial_count\":{},\"large_count\":{},\"circular_count\":{}", impact.radial_count,
+                 impact.large_count, impact.circular_count);
+  if (const auto& crater = impact.crater) {
+    fmt::format_to(std::back_inserter(out),
+                   ",\"crater\":{{\"crushed_radius_mm\":{},\"near_radius_mm\":{},\"far_radius_mm\":{},\"milky_radius_mm\":{}}}",
+                   crater->crushed_radius_mm, crater->near_radius_mm, crater->far_radius_mm, crater->milky_radius_mm);
+  }
+  put(out, "}");
 }
 
 void put_crack(Buffer& out, const glass::Crack& crack) {
@@ -79,6 +85,7 @@ void put_crack(Buffer& out, const glass::Crack& crack) {
   put_end(out, crack.start);
   put(out, ",\"end\":");
   put_end(out, crack.end);
+  if (!crack.through) put(out, ",\"through\":false");
   put(out, "}");
 }
 

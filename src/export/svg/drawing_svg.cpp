@@ -54,19 +54,26 @@ void put_head(Buffer& out, const geometry::Polygon& outline, std::string_view ti
       title, outline_width * side, style);
 }
 
-std::string crack_style(const geometry::Polygon& outline) {
-  const geometry::Box box = geometry::bounding_box(outline);
+std::string crack_style(const BrokenPane& broken) {
+  const geometry::Box box = geometry::bounding_box(broken.pane.outline_mm);
   const vec2 size = box.high - box.low;
   const double width = crack_width * std::max(size.x, size.y);
+  // Kinds that the paper's panes do not have.
+  std::string more;
+  const auto has = [&](glass::CrackKind kind) {
+    return std::ranges::any_of(broken.network.cracks, [kind](const glass::Crack& crack) { return crack.kind == kind; });
+  };
+  if (has(glass::CrackKind::branch)) more += ".branch{stroke:#000}\n";
+  if (has(glass::CrackKind::dice)) more += ".dice{stroke:#222}\n";
   return fmt::format(
       ".crack{{fill:none;stroke-linejoin:round;stroke-linecap:round;stroke-width:{}}}\n.large{{stroke:#000;stroke-width:{}}}\n"
-      ".radial{{stroke:#444}}\n.circular{{stroke:#b03a2e}}\n",
-      width, 1.6 * width);
+      ".radial{{stroke:#444}}\n.circular{{stroke:#b03a2e}}\n{}",
+      width, 1.6 * width, more);
 }
 
 OutputFile pane_drawing(const Model& model, const BrokenPane& broken) {
   Buffer out;
-  put_head(out, broken.pane.outline_mm, broken.pane.name, crack_style(broken.pane.outline_mm));
+  put_head(out, broken.pane.outline_mm, broken.pane.name, crack_style(broken));
   put(out, "<path class=\"outline\" id=\"outline\" d=\"");
   put_path(out, broken.pane.outline_mm);
   put(out, "\"/>\n<g id=\"cracks\">\n");

@@ -6,8 +6,10 @@
 #include <span>
 
 #include "geometry/region_index.h"
+#include "glass/dice_shape.h"
 #include "measure/crossings.h"
 #include "measure/experiment.h"
+#include "measure/fragments.h"
 #include "measure/tracking.h"
 
 namespace shatterpave::measure {
@@ -54,6 +56,8 @@ void count_end(const CrackEnd& end, EndCounts& counts) {
   }
 }
 
+bool is_radial(CrackKind kind) { return kind == CrackKind::large || kind == CrackKind::radial; }
+
 bool held(const CrackEnd& end, const glass::CrackNetwork& network) {
   if (end.at == CrackEnd::At::edge) return true;
   return end.at == CrackEnd::At::crack && network.cracks[static_cast<std::size_t>(*end.crack)].kind != CrackKind::circular;
@@ -82,6 +86,12 @@ std::optional<double> radial_spread(const glass::CrackNetwork& network, int impa
 
 }  // namespace
 
+Subject subject_of(const glass::Pane& pane) {
+  if (pane.glass == glass::GlassKind::tempered) return Subject::dice;
+  const bool as_the_paper = pane.glass == glass::GlassKind::annealed && pane.pattern == glass::Pattern::agui1992;
+  return as_the_paper ? Subject::experiment : Subject::rings;
+}
+
 PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pane) {
   PaneMeasures result;
   for (const glass::ImpactCounts& impact : network.impacts) result.impacts.emplace_back().drawn = impact;
@@ -96,7 +106,7 @@ PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pan
       add_ring_distances(crack, is_second_arm(network.cracks, i), of_impact.drawn.at_mm, of_impact.ring_distances_mm);
       continue;
     }
-    if (crack.end.at == CrackEnd::At::edge) ++of_impact.reaching_count;
+    if (is_radial(crack.kind) && crack.end.at == CrackEnd::At::edge) ++of_impact.reaching_count;
     if (crack.kind != CrackKind::large) continue;
     const std::vector<Angle> more = turns(tracked(crack.points_mm));
     of_impact.turns.insert(of_impact.turns.end(), more.begin(), more.end());
@@ -108,6 +118,11 @@ PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pan
   for (const Crossing& crossing : crossings(network)) {
     const int later = std::max(impact_of(crossing.crack), impact_of(crossing.other));
     ++result.impacts[static_cast<std::size_t>(later)].crossing_count;
+  }
+  result.subject = subject_of(pane);
+  if (result.subject == Subject::dice) {
+    result.fragment_counts = fragment_counts(network, pane);
+    result.least_fragment_count = glass::least_fragment_count(pane.thickness_mm);
   }
   return result;
 }
@@ -141,7 +156,7 @@ std::vector<Angle> radial_directions(const glass::CrackNetwork& network, int imp
   const vec2 centre = network.impacts[static_cast<std::size_t>(impact)].at_mm;
   std::vector<Angle> directions;
   for (const Crack& crack : network.cracks) {
-    if (crack.impact != impact || crack.kind == CrackKind::circular) continue;
+    if (crack.impact != impact || !is_radial(crack.kind)) continue;
     const auto out = std::ranges::find_if(crack.points_mm, [&](vec2 p) { return glm::length(p - centre) >= radius_mm; });
     if (out == crack.points_mm.begin() || out == crack.points_mm.end()) continue;
     directions.push_back(Angle::of(way_out(centre, radius_mm, *(out - 1), *out) - centre));

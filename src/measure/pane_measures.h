@@ -36,11 +36,23 @@ struct ImpactMeasures {
   bool operator==(const ImpactMeasures&) const = default;
 };
 
+// What the figures of a pane may be held against.
+enum class Subject {
+  experiment,  // annealed glass by the paper's pattern: against the paper's nineteen panes
+  rings,       // any other annealed or laminated glass: ends of ring cracks and crossings only
+  dice,        // tempered glass: fragments and crossings only
+};
+
 struct PaneMeasures {
   std::vector<ImpactMeasures> impacts;  // in the order of the pane
+  Subject subject = Subject::experiment;
+  std::vector<double> fragment_counts;  // of tempered glass (measure/fragments.h)
+  double least_fragment_count = 0.0;    // that EN 12150-1 wants of it
 
   bool operator==(const PaneMeasures&) const = default;
 };
+
+Subject subject_of(const glass::Pane& pane);
 
 // `network` is what grew in `pane`. Less than a millisecond for a pane with M = 105, most of it for the crossings.
 PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pane);

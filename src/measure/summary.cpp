@@ -76,6 +76,14 @@ void Totals::add(const PaneMeasures& pane) {
   if (pane.impacts.empty()) return;
   const ImpactMeasures& impact = pane.impacts.front();
   ++impacts_;
+  for (const double count : pane.fragment_counts) {
+    ++squares_;
+    if (count < pane.least_fragment_count) ++coarse_squares_;
+  }
+  if (pane.subject == Subject::dice) return;
+  ring_ends_ += static_cast<std::size_t>(impact.ring_crack_count);
+  held_ring_ends_ += static_cast<std::size_t>(impact.held_ring_end_count);
+  if (pane.subject != Subject::experiment) return;
   sums_.radial_count.add(impact.drawn.radial_count);
   large_points_.emplace_back(impact.drawn.radial_count, impact.reaching_count);
   sums_.ends.edge += impact.ends.edge;
@@ -93,8 +101,6 @@ void Totals::add(const PaneMeasures& pane) {
 }
 
 void Totals::add_rings(const ImpactMeasures& impact) {
-  ring_ends_ += static_cast<std::size_t>(impact.ring_crack_count);
-  held_ring_ends_ += static_cast<std::size_t>(impact.held_ring_end_count);
   if (impact.ring_distances_mm.empty()) return;
   const double expected = experiment_ring_radius_mm(impact.drawn.radial_count);
   Distribution distances;
@@ -143,6 +149,10 @@ Summary Totals::summary() const {
                              percentage(square_edge_angles_, edge_ends), 0.0, edge_ends, "ends on the edge"}));
   findings.push_back(judged({"radial_gaps", "Variance of the gaps between radials beyond the ring, random directions being 1",
                              "", -unlimited, 1.0, summary.gap_ratio.mean(), 0.0, summary.gap_ratio.count(), "panes"}));
+  if (squares_ > 0) {
+    findings.push_back(judged({"fragments", "Squares of 50 × 50 mm with fewer fragments than EN 12150-1 wants", "", 0.0, 0.0,
+                               static_cast<double>(coarse_squares_), 0.0, squares_, "squares"}));
+  }
   return summary;
 }
 

@@ -14,6 +14,8 @@ namespace shatterpave::measure {
 
 // The figures against the measured panes are of each pane's first impact: the cracks of later ones stop at earlier ones, and no
 // pane of the paper was hit twice. Crossings are those of all impacts.
+// Of panes that are not of the paper's kind (Subject) nothing is held against its panes: only crossings and ends of ring cracks
+// are added up, or crossings and fragments; where there are no others, the findings against the paper's panes are open.
 struct Summary {
   Distribution radial_count;                                       // M as drawn
   Line large_line;                                                 // N that reach the edge, against M
@@ -50,6 +52,8 @@ class Totals {
   std::size_t held_ring_ends_ = 0;
   std::size_t square_edge_angles_ = 0;
   std::size_t crossings_ = 0;
+  std::size_t squares_ = 0;  // in which fragments of tempered glass were counted
+  std::size_t coarse_squares_ = 0;
   std::size_t impacts_ = 0;
 };
 

@@ -178,7 +178,7 @@ void put_path(Buffer& out, const std::vector<vec2>& points, double unit, double 
 }
 
 std::string_view class_of(glass::CrackKind kind) {
-  if (kind == glass::CrackKind::large) return "large";
+  if (kind == glass::CrackKind::large || kind == glass::CrackKind::branch) return "large";
   return kind == glass::CrackKind::circular ? "ring" : "radial";
 }
 
@@ -192,7 +192,10 @@ void put_specimen(Buffer& out, const measure::Specimen& specimen, bool named) {
       std::llround((box.high.x - box.low.x) / unit) + 20, std::llround((box.high.y - box.low.y) / unit) + 20, specimen.seed);
   put_path(out, specimen.pane.outline_mm, unit, 0.0, true);
   put(out, "\"/>");
-  for (const glass::CrackKind kind : {glass::CrackKind::radial, glass::CrackKind::circular, glass::CrackKind::large}) {
+  using Kind = glass::CrackKind;
+  for (const Kind kind : {Kind::radial, Kind::circular, Kind::large, Kind::branch, Kind::dice}) {
+    const bool beyond_the_paper = kind == Kind::branch || kind == Kind::dice;
+    if (beyond_the_paper && std::ranges::count(specimen.network.cracks, kind, &glass::Crack::kind) == 0) continue;
     put(out, "<path class=\"{}\" d=\"", class_of(kind));
     for (const glass::Crack& crack : specimen.network.cracks) {
       if (crack.kind == kind) put_path(out, crack.points_mm, unit, step, false);

@@ -82,5 +82,33 @@ TEST(Summary, SharesAreOfWhatWasSeen) {
   EXPECT_EQ(totals.summary().radial_count.count(), 2U) << "all else is of the first impact";
 }
 
+TEST(Totals, HoldOnlyPanesOfThePapersKindAgainstItsPanes) {
+  PaneMeasures measures;
+  ImpactMeasures& impact = measures.impacts.emplace_back();
+  impact.drawn.radial_count = 100;
+  impact.ring_crack_count = 4;
+  impact.held_ring_end_count = 4;
+  impact.edge_angles = {Angle::degrees(80.0)};
+  measures.subject = Subject::dice;
+  measures.fragment_counts = {40.0, 39.5, 61.0};
+  measures.least_fragment_count = 40.0;
+  Totals totals;
+  totals.add(measures);
+  EXPECT_EQ(finding(totals.summary(), "large_slope").count, 0U);
+  EXPECT_EQ(finding(totals.summary(), "edge_angles").verdict, Verdict::open);
+  EXPECT_EQ(finding(totals.summary(), "ring_ends").verdict, Verdict::open);
+  EXPECT_EQ(finding(totals.summary(), "crossings").verdict, Verdict::holds);
+  EXPECT_EQ(finding(totals.summary(), "fragments").figure, 1.0) << "the square of 39.5";
+  EXPECT_EQ(finding(totals.summary(), "fragments").verdict, Verdict::fails);
+  measures.subject = Subject::rings;
+  measures.fragment_counts.clear();
+  totals.add(measures);
+  EXPECT_EQ(finding(totals.summary(), "ring_ends").count, 4U);
+  EXPECT_EQ(finding(totals.summary(), "edge_angles").verdict, Verdict::open);
+  measures.subject = Subject::experiment;
+  totals.add(measures);
+  EXPECT_EQ(finding(totals.summary(), "edge_angles").count, 1U);
+}
+
 }  // namespace
 }  // namespace shatterpave::measure

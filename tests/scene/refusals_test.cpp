@@ -53,6 +53,8 @@ const std::vector<Case> cases = {
     {"unknown_section", pane(sized) + "[[pavment]]\n", "s.toml:7:3: pavment: unknown key; did you mean pavement?"},
     {"unknown_nested_key", pane(sized + "  thicknes_mm = 3"),
      "s.toml:4:3: pane[0].thicknes_mm: unknown key; did you mean thickness_mm?"},
+    {"unknown_glass", pane(sized + "glass = \"float\""),
+     "s.toml:4:9: pane[0].glass: expected \"annealed\" or \"laminated\" or \"tempered\", got the text \"float\""},
     {"unknown_far_key", pane(sized + "colour = 3"), "s.toml:4:1: pane[0].colour: unknown key"},
     {"unknown_impact_key", impact("at_mm = [1, 1]\nspeed = 3"), "s.toml:6:1: pane[0].impact[0].speed: unknown key"},
     {"unknown_growth_key", pane(sized + "growth.sector_radius = 3"),

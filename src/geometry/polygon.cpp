@@ -69,9 +69,7 @@ Box bounding_box(const Polygon& polygon) {
 
 bool contains(const Polygon& polygon, vec2 point) { return location(polygon, to_lattice(point)) != Location::outside; }
 
-bool contains_strictly(const Polygon& polygon, vec2 point) {
-  return location(polygon, to_lattice(point)) == Location::inside;
-}
+bool contains_strictly(const Polygon& polygon, vec2 point) { return location(polygon, to_lattice(point)) == Location::inside; }
 
 bool contains(const Region& region, vec2 point) {
   const LatticePoint p = to_lattice(point);

@@ -3,9 +3,8 @@
 #   docs/plate.sh [--seed N] [--command SHATTERPAVE] [FILE.svg]
 # Exports the twelve panes as SVG and as JSON by the command, which it builds unless one is given, and sets them on one page.
 set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-# shellcheck source=../.ci/setup.sh
-source "$here/../.ci/setup.sh"
+# shellcheck source=sheet.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/sheet.sh"
 
 # Figure, letter and what §4.3 prints of it: M R N V1 V2 V3.
 experiments="
@@ -22,26 +21,7 @@ experiments="
 16 c 108 5 9 40 10 10
 16 d 96 5 10 40 10 10"
 
-seed=1 command='' target=$here/pictures/agui1992_plate.svg
-while (($#)); do
-  case $1 in
-    --seed | --command)
-      (($# > 1)) || { say "plate.sh: $1: a value is missing"; exit 2; }
-      if [[ $1 == --seed ]]; then seed=$2; else command=$2; fi
-      shift ;;
-    -*) say "plate.sh: unknown option $1"; exit 2 ;;
-    *) target=$1 ;;
-  esac
-  shift
-done
-
-if [[ -z $command ]]; then
-  install_packages build || exit 1
-  build_release shatterpave_command || exit 1
-  command=$root/build/shatterpave
-fi
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+start_sheet agui1992_plate.svg "$@"
 
 while read -r figure letter _; do
   printf '[[pane]]\nname = "fig%s%s"\npreset = "agui1992-fig%s%s"\n' "$figure" "$letter" "$figure" "$letter"
@@ -106,6 +86,4 @@ HEAD
   printf '</svg>\n'
 }
 
-page >"$scratch/page.svg"
-mv "$scratch/page.svg" "$target"
-printf '%s\n' "$target"
+end_sheet page

@@ -46,8 +46,8 @@ enum class Subject {
 struct PaneMeasures {
   std::vector<ImpactMeasures> impacts;  // in the order of the pane
   Subject subject = Subject::experiment;
-  std::vector<double> fragment_counts;  // of tempered glass (measure/fragments.h)
-  double least_fragment_count = 0.0;    // that EN 12150-1 wants of it
+  std::vector<double> fragment_counts = {};  // of tempered glass (measure/fragments.h)
+  double least_fragment_count = 0.0;         // that EN 12150-1 wants of it
 
   bool operator==(const PaneMeasures&) const = default;
 };

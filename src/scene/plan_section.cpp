@@ -1,5 +1,6 @@
 #include "scene/plan_section.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -73,7 +74,7 @@ Plans::Plans(const TomlTable& root) {
 const Plan& Plans::plan(const TomlTable& table, std::string_view file_key) {
   const Place place = table.place(file_key);
   const std::string name = *table.text(file_key);
-  if (name.empty() || name.find('\0') != std::string::npos) refuse(place, "the name of a file", in_quotes(name));
+  if (name.empty() || std::ranges::find(name, '\0') != name.end()) refuse(place, "the name of a file", in_quotes(name));
   const std::filesystem::path path = std::filesystem::path(table.file()).parent_path() / name;
   const auto found = plans_.find(path.string());
   if (found != plans_.end()) return found->second;

@@ -1,0 +1,37 @@
+# shellcheck shell=bash
+# What the scripts share that set drawings of many things on one page. Sourced, never run.
+# shellcheck source=../.ci/setup.sh
+source "$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.ci" && pwd)/setup.sh"
+
+# start_sheet PICTURE [--seed N] [--command SHATTERPAVE] [FILE.svg]: sets `seed`, `command`, which it builds unless one is given,
+# `target`, which is docs/pictures/PICTURE unless a file is given, and `scratch`, a folder that is removed at the end.
+# shellcheck disable=SC2034  # What it sets is for who sources this.
+start_sheet() {
+  seed=1 command='' target=$root/docs/pictures/$1
+  shift
+  while (($#)); do
+    case $1 in
+      --seed | --command)
+        (($# > 1)) || { say "${0##*/}: $1: a value is missing"; exit 2; }
+        if [[ $1 == --seed ]]; then seed=$2; else command=$2; fi
+        shift ;;
+      -*) say "${0##*/}: unknown option $1"; exit 2 ;;
+      *) target=$1 ;;
+    esac
+    shift
+  done
+  if [[ -z $command ]]; then
+    install_packages build || exit 1
+    build_release shatterpave_command || exit 1
+    command=$root/build/shatterpave
+  fi
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+}
+
+# end_sheet COMMAND…: what it prints becomes the target, whole or not at all.
+end_sheet() {
+  "$@" >"$scratch/page.svg"
+  mv "$scratch/page.svg" "$target"
+  printf '%s\n' "$target"
+}

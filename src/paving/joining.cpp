@@ -202,7 +202,7 @@ class Joiner {
     return hollow;
   }
 
-  // Each part joined to its host. Nothing if one cannot be.
+  // Each part joined to its host. Nothing if one cannot be, or would hold by a neck that the joint takes.
   std::optional<Joining> joining(std::vector<Grown> parts, std::size_t small) const {
     Joining result;
     for (Grown& part : parts) {
@@ -210,8 +210,11 @@ class Joiner {
       auto together = joined(part.outline_mm, host);
       if (!together) return std::nullopt;
       result.too_large |= geometry::area(*together) > largest_joined * stone_area_;
+      const double shared_mm = shared_length(part.outline_mm, host);
+      // A straight neck is as wide as its joint is long; one that leans on it is narrower.
+      if (shared_mm < 4.0 * joint_mm_ && faces_of(*together, joint_mm_).size() > 1) return std::nullopt;
       result.hollow_mm2 += hollow_mm2(*together, part.host, small) - hollow_mm2(host, part.host, small);
-      result.shared_mm += shared_length(part.outline_mm, host);
+      result.shared_mm += shared_mm;
       part.outline_mm = std::move(*together);
     }
     result.grown = std::move(parts);

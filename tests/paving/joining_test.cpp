@@ -50,7 +50,7 @@ TEST(Joining, SharesTheLastStripOutAmongTheRowBelow) {
     const Pavement paved = rows(bond, 410);
     const StoneLayout layout = laid_stones(paved, 1);
     EXPECT_EQ(faults(paved, layout).total(), 0U);
-    EXPECT_GE(quality(paved, layout).coverage, 0.999);
+    EXPECT_GE(quality(paved, layout).coverage, 0.998);
     std::size_t grown = 0;
     for (const Stone& stone : layout.stones) {
       EXPECT_EQ(stone.outline_mm.size(), 4U) << "stone " << stone.id;
@@ -65,6 +65,15 @@ TEST(Joining, SharesTheLastStripOutAmongTheRowBelow) {
 }
 
 // Whatever is cut: stones of rows stay convex, since no joint of theirs needs to be bent.
+// A small piece that touches a large one by a side hardly longer than the joint would fall off again when the joint is taken.
+TEST(Joining, LeavesNoBedBareWhereANeckWouldBreak) {
+  Pavement paved = pavement({{{0, 0}, {1900, 0}, {1900, 1500}, {0, 1500}}, {}}, 340, 14, ConstantDirection{});
+  paved.bonding.bond = Bond::crazy;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    EXPECT_GE(quality(paved, laid_stones(paved, seed)).coverage, 0.998) << "seed " << seed;
+  }
+}
+
 TEST(Joining, LeavesStonesOfRowsConvexOnSlantedBorders) {
   for (const double degrees : {3.0, 11.0, 30.0, 52.0}) {
     Pavement paved = rows(Bond::running, 1234);

@@ -201,7 +201,7 @@ TEST(StoneBody, OutlinesLieBelowTheBed) {
   for (const FinishPreset& preset : finish_presets) {
     const Pavement pavement = finished(preset.body.finish);
     for (int id = 0; id < 60; ++id) {
-      const Polygon outline = uneven(3 + id % 6, static_cast<std::uint64_t>(100 + id));
+      const Polygon outline = uneven(3 + id % 6, 100 + static_cast<std::uint64_t>(id));
       for (const BezierPatch& patch : surface_patches(outline, stone_draws(pavement, 7, id))) {
         for (int border = 0; border < 4; ++border) {
           const vec3 p = on_border(patch, border, 0.4);

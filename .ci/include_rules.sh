@@ -44,6 +44,9 @@ find src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk -v rules
       (code ~ /std::(async|j?thread)([^:a-z_]|$)/ || code ~ /^[ \t]*#[ \t]*include[ \t]*<(oneapi\/)?tbb/) {
     wrong("threads are started in core/parallel.cpp alone")
   }
+  /^[ \t]*#[ \t]*include[ \t]*<(bt[A-Z]|BulletCollision|BulletDynamics|LinearMath)/ && FILENAME != "src/glass/fall.cpp" {
+    wrong("Bullet is included in glass/fall.cpp alone")
+  }
   /^[ \t]*#[ \t]*include[ \t]*<OpenImageIO\// && room != "relief" && !(FILENAME ~ /^tests\/(render|relief)\//) {
     wrong("OpenImageIO is included in relief alone")
   }

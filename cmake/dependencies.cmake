@@ -14,4 +14,6 @@ find_dependency(tomlplusplus)
 # By pkg-config, since Debian's OpenImageIOConfig.cmake demands the headers of OpenCV.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
+# Bullet in double precision: its build in single precision takes another way through processors that have more.
+pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(sleef REQUIRED IMPORTED_TARGET sleef)

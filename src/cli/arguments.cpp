@@ -16,8 +16,11 @@ namespace shatterpave::cli {
 
 namespace {
 
-const std::map<std::string, Target> target_names = {
-    {"povray", Target::povray}, {"json", Target::json}, {"svg", Target::svg}, {"textures", Target::textures}};
+const std::map<std::string, Target> target_names = {{"povray", Target::povray},
+                                                    {"json", Target::json},
+                                                    {"svg", Target::svg},
+                                                    {"textures", Target::textures},
+                                                    {"obj", Target::obj}};
 
 const std::map<std::string, pipeline::Quality> quality_names = {{"draft", pipeline::Quality::draft},
                                                                 {"final", pipeline::Quality::final}};
@@ -123,7 +126,7 @@ CLI::App* add_export(CLI::App& app, Requests& requests) {
   CLI::App* command = app.add_subcommand("export", "Write what renderers and other programs read");
   add_scene_options(*command, requests.scene);
   add_output(*command, requests.output);
-  command->add_option("--target", requests.targets, "povray (the default), json, svg or textures; may be repeated")
+  command->add_option("--target", requests.targets, "povray (the default), json, svg, textures or obj; may be repeated")
       ->type_name("TARGET")
       ->allow_extra_args(false)
       ->transform(CLI::CheckedTransformer(target_names).description(""));

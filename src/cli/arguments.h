@@ -12,7 +12,7 @@
 
 namespace shatterpave::cli {
 
-enum class Target { povray, json, svg, textures };
+enum class Target { povray, json, svg, textures, obj };
 
 struct Export {
   std::filesystem::path scene;

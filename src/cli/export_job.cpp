@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "export/json/geometry_json.h"
+#include "export/obj/shards_obj.h"
 #include "export/svg/drawing_svg.h"
 #include "pipeline/generate.h"
 #include "pipeline/write.h"
@@ -15,11 +16,12 @@
 namespace shatterpave::cli {
 
 void append_without_rasters(const exporting::Model& model, Target target, exporting::Outputs& outputs) {
-  ENSURE(target == Target::json || target == Target::svg);
+  ENSURE(target == Target::json || target == Target::svg || target == Target::obj);
   if (target == Target::json) {
     outputs.files.push_back(exporting::json_file(model));
   } else {
-    std::ranges::move(exporting::svg_files(model), std::back_inserter(outputs.files));
+    std::ranges::move(target == Target::obj ? exporting::obj_files(model) : exporting::svg_files(model),
+                      std::back_inserter(outputs.files));
   }
 }
 

@@ -42,6 +42,10 @@ enum class Stream : std::uint32_t {
   radial_onset = 82,  // when a radial starts
   dice_seed = 83,     // seed of a fragment of tempered glass
   through = 84,       // whether a crack runs through laminated glass
+  shard_chip = 60,
+  shard_missing = 61,  // whether a shard leaves the pane
+  shard_fallen = 62,   // whether one that left it lies about
+  shard_throw = 63,    // how it leaves
 };
 
 // Identity of an element, made from what it *is*: its names and its places among its siblings, never from a running

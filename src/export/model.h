@@ -10,6 +10,7 @@
 
 #include "glass/network.h"
 #include "glass/pane.h"
+#include "glass/shards.h"
 #include "paving/pavement.h"
 #include "paving/seamless.h"
 #include "paving/stones.h"
@@ -19,6 +20,7 @@ namespace shatterpave::exporting {
 struct BrokenPane {
   glass::Pane pane;
   glass::CrackNetwork network;
+  std::vector<glass::Shard> shards;  // where pane.shards asks for them
 };
 
 struct PavedArea {

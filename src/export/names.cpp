@@ -40,6 +40,18 @@ std::string_view name_of(glass::CrackEnd::At at) {
   throw_broken_invariant("known CrackEnd::At", __FILE_NAME__, __LINE__);
 }
 
+std::string_view name_of(glass::ShardState state) {
+  switch (state) {
+    case glass::ShardState::standing:
+      return "standing";
+    case glass::ShardState::fallen:
+      return "fallen";
+    case glass::ShardState::missing:
+      return "missing";
+  }
+  throw_broken_invariant("a state of a shard", __FILE_NAME__, __LINE__);
+}
+
 std::string_view name_of(paving::StoneKind kind) {
   switch (kind) {
     case paving::StoneKind::whole:

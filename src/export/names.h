@@ -4,12 +4,14 @@
 #include <string_view>
 
 #include "glass/network.h"
+#include "glass/shards.h"
 #include "paving/stones.h"
 
 namespace shatterpave::exporting {
 
 std::string_view name_of(glass::CrackKind kind);
 std::string_view name_of(glass::CrackEnd::At at);
+std::string_view name_of(glass::ShardState state);
 std::string_view name_of(paving::StoneKind kind);
 
 }  // namespace shatterpave::exporting

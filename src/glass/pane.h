@@ -160,6 +160,28 @@ struct Tempering {
   bool operator==(const Tempering&) const = default;
 };
 
+// What becomes of the pieces between the cracks. Defaults without a source were chosen by eye, see scenes/broken_window.toml.
+struct ShardRules {
+  double gap_mm = 0.06;       // opening of cracks between pieces, face to face
+  double splinter_mm2 = 4.0;  // pieces with a smaller face are dust
+  double bevel_mm = 0.12;     // width and depth of the bevel along broken edges; 0: none
+  double chips_per_m = 90.0;  // flakes off broken edges, on each side of the pane
+  double chip_mm = 1.6;       // half the length of the largest of them along the edge
+  double missing = 0.95;      // probability with which a piece at an impact leaves the pane; it falls to 1/e of that at
+  double missing_mm = 55.0;   // this distance, as exp(−x⁴)
+  double held = 0.5;          // a piece that stands has at least this part of its border along the frame and pieces that stand;
+                              // in a frame that grips it along a tenth of its border it stands always
+  double fallen = 0.6;        // part of the pieces that left the pane that come to lie on sill or floor; others are gone
+  double throw_m_s = 0.7;     // with which pieces at an impact leave the pane towards +z
+  double sill_drop_mm = 25.0;    // top of the sill below the lowest point of the pane
+  double sill_depth_mm = 150.0;  // how far it reaches out, from the middle plane of the pane
+  double frame_mm = 18.0;        // how far the frame stands out from that plane
+  double reveal_mm = 30.0;       // from the sides of the pane's box to the walls beside it
+  double floor_drop_mm = 850.0;  // floor below the lowest point of the pane
+
+  bool operator==(const ShardRules&) const = default;
+};
+
 struct Pane {
   std::string name;              // unique in its scene, an identifier: letters, digits, '_' and '-'
   geometry::Polygon outline_mm;  // simple, counter-clockwise, on the lattice
@@ -172,6 +194,7 @@ struct Pane {
   Angle crater_cone = Angle::degrees(68.0);  // of spall, from upright: that of Hertz's cone crack in glass; of Pattern::real
   Laminate laminate;
   Tempering tempering;
+  std::optional<ShardRules> shards;  // nothing: cracks only
 
   bool operator==(const Pane&) const = default;
 };

@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "glass/growth.h"
+#include "glass/shards.h"
 #include "paving/kerb.h"
 #include "paving/laying.h"
 #include "paving/seamless.h"
@@ -15,7 +16,7 @@ exporting::Model generated(const scene::Scene& scene, const Progress& progress) 
   model.name = scene.name;
   model.setting = scene.still.setting;
   model.seed = scene.seed;
-  for (const glass::Pane& pane : scene.panes) model.panes.push_back({pane, {}});
+  for (const glass::Pane& pane : scene.panes) model.panes.push_back({pane, {}, {}});
   for (const paving::Pavement& pavement : scene.pavements) {
     model.pavements.push_back({pavement, {}});
     if (pavement.kerb.width_mm > 0.0) model.pavements.push_back({paving::kerb(pavement), {}});
@@ -28,7 +29,9 @@ exporting::Model generated(const scene::Scene& scene, const Progress& progress) 
   if (progress) progress("generating", 0.0);
   parallel_for(count, [&](std::size_t i) {
     if (i < panes) {
-      model.panes[i].network = glass::grown_cracks(model.panes[i].pane, scene.seed);
+      exporting::BrokenPane& broken = model.panes[i];
+      broken.network = glass::grown_cracks(broken.pane, scene.seed);
+      if (broken.pane.shards) broken.shards = glass::shards(broken.pane, broken.network, scene.seed);
     } else {
       exporting::PavedArea& paved = model.pavements[i - panes];
       paved.layout = paving::laid_stones(paved.pavement, scene.seed);

@@ -15,6 +15,7 @@ namespace shatterpave::scene {
 namespace {
 
 using glass::Growth;
+using glass::ShardRules;
 
 constexpr std::size_t most_panes = 1000;
 constexpr std::size_t most_impacts = 1000;
@@ -60,6 +61,44 @@ constexpr std::array growth_numbers = {
     GrowthNumber{"radial_onset", &Growth::radial_onset, {0.0, 1000.0}},
     GrowthNumber{"branch_rate_per_m", &Growth::branch_rate_per_m, {0.0, 1000.0}},
 };
+
+struct ShardNumber {
+  std::string_view key;
+  double ShardRules::*member;
+  Range range;
+};
+
+constexpr std::array shard_numbers = {
+    ShardNumber{"gap_mm", &ShardRules::gap_mm, {0.02, 10.0}},
+    ShardNumber{"splinter_mm2", &ShardRules::splinter_mm2, {0.01, 1e6}},
+    ShardNumber{"bevel_mm", &ShardRules::bevel_mm, {0.0, 10.0}},
+    ShardNumber{"chips_per_m", &ShardRules::chips_per_m, {0.0, 1000.0}},
+    ShardNumber{"chip_mm", &ShardRules::chip_mm, {0.0, 100.0}},
+    ShardNumber{"missing", &ShardRules::missing, {0.0, 1.0}},
+    ShardNumber{"missing_mm", &ShardRules::missing_mm, {0.0, 100000.0, true}},
+    ShardNumber{"held", &ShardRules::held, {0.0, 1.0}},
+    ShardNumber{"fallen", &ShardRules::fallen, {0.0, 1.0}},
+    ShardNumber{"throw_m_s", &ShardRules::throw_m_s, {0.0, 20.0}},
+    ShardNumber{"sill_drop_mm", &ShardRules::sill_drop_mm, {0.0, 10000.0}},
+    ShardNumber{"sill_depth_mm", &ShardRules::sill_depth_mm, {0.0, 10000.0}},
+    ShardNumber{"frame_mm", &ShardRules::frame_mm, {0.0, 1000.0}},
+    ShardNumber{"reveal_mm", &ShardRules::reveal_mm, {0.0, 10000.0}},
+    ShardNumber{"floor_drop_mm", &ShardRules::floor_drop_mm, {0.0, 10000.0}},
+};
+
+void read_shards(const TomlTable& pane, std::optional<ShardRules>& shards) {
+  const auto table = pane.table(
+      "shards", {"enabled", "gap_mm", "splinter_mm2", "bevel_mm", "chips_per_m", "chip_mm", "missing", "missing_mm", "held",
+                 "fallen", "throw_m_s", "sill_drop_mm", "sill_depth_mm", "frame_mm", "reveal_mm", "floor_drop_mm"});
+  if (!table) return;
+  ShardRules rules;
+  for (const ShardNumber& number : shard_numbers) table->read(number.key, number.range, rules.*number.member);
+  if (rules.floor_drop_mm < rules.sill_drop_mm) {
+    refuse(table->place("floor_drop_mm"), fmt::format("a floor not above the sill, so {} or more", rules.sill_drop_mm),
+           fmt::format("{}", rules.floor_drop_mm));
+  }
+  if (table->flag("enabled").value_or(true)) shards = rules;
+}
 
 void read_angle(const TomlTable& table, std::string_view key, const Range& range, Angle& angle) {
   if (const auto degrees = table.number(key, range)) angle = Angle::degrees(*degrees);
@@ -226,6 +265,7 @@ glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
   read_growth(table, pane.growth);
   read_kind(table, pane);
   read_tempering(table, pane.tempering);
+  read_shards(table, pane.shards);
   return pane;
 }
 
@@ -233,10 +273,10 @@ glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
 
 std::vector<glass::Pane> panes_of(const TomlTable& root, Plans& plans, Names& names) {
   std::vector<glass::Pane> panes;
-  for (const TomlTable& table : root.tables(
-           "pane", most_panes,
-           {"name", "size_mm", "outline_mm", "outline_file", "outline_feature", "outline_class", "outline_units",
-            "thickness_mm", "preset", "impact", "growth", "glass", "pattern", "rings", "crater", "laminate", "tempering"})) {
+  for (const TomlTable& table : root.tables("pane", most_panes,
+                                            {"name", "size_mm", "outline_mm", "outline_file", "outline_feature",
+                                             "outline_class", "outline_units", "thickness_mm", "preset", "impact", "growth",
+                                             "shards", "glass", "pattern", "rings", "crater", "laminate", "tempering"})) {
     panes.push_back(pane_of(table, plans, names));
   }
   return panes;

@@ -5,6 +5,7 @@
 
 #include "export/model.h"
 #include "glass/growth.h"
+#include "glass/shards.h"
 
 namespace shatterpave::support {
 
@@ -20,7 +21,20 @@ inline glass::Pane pane_with(int radial_count) {
   return pane;
 }
 
-inline exporting::BrokenPane broken_pane(const glass::Pane& pane) { return {pane, glass::grown_cracks(pane, 7)}; }
+inline exporting::BrokenPane broken_pane(const glass::Pane& pane) { return {pane, glass::grown_cracks(pane, 7), {}}; }
+
+// The same in shards, of which some have fallen.
+inline exporting::BrokenPane shattered_pane(int radial_count) {
+  exporting::BrokenPane broken;
+  broken.pane = pane_with(radial_count);
+  broken.pane.shards = glass::ShardRules{};
+  broken.pane.shards->chips_per_m = 20.0;
+  broken.pane.shards->missing_mm = 80.0;
+  broken.pane.shards->fallen = 0.5;
+  broken.network = glass::grown_cracks(broken.pane, 7);
+  broken.shards = glass::shards(broken.pane, broken.network, 7);
+  return broken;
+}
 
 // Hand-made cracks from edge to edge, without an impact; the one at `ending` ends on the one before it.
 inline glass::CrackNetwork network_of(const std::vector<std::vector<vec2>>& cracks, int ending) {

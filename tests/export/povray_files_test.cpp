@@ -31,8 +31,16 @@ const OutputFile& file_named(const std::vector<OutputFile>& files, const std::st
   return *found;
 }
 
+// A pane of cracks, and one of shards.
+Model model_of_both() {
+  Model model = model_with({pane_with(24)});
+  model.panes.push_back(support::shattered_pane(20));
+  model.panes.back().pane.name = "shards";
+  return model;
+}
+
 TEST(PovrayFiles, FolderNeedsNothingButPovraysOwnIncludes) {
-  const std::vector<OutputFile> files = povray_files(model_with({pane_with(24)}));
+  const std::vector<OutputFile> files = povray_files(model_of_both());
   std::set<std::string> names;
   for (const OutputFile& file : files) EXPECT_TRUE(names.insert(file.name).second) << file.name;
   const std::regex include("#include \"([^\"]+)\"");
@@ -47,7 +55,7 @@ TEST(PovrayFiles, FolderNeedsNothingButPovraysOwnIncludes) {
 }
 
 TEST(PovrayFiles, IncludesHoldDeclarationsOnly) {
-  for (const OutputFile& file : povray_files(model_with({pane_with(24)}))) {
+  for (const OutputFile& file : povray_files(model_of_both())) {
     if (!file.name.ends_with(".inc")) continue;
     for (const char* word : {"camera", "light_source", "global_settings"}) {
       EXPECT_FALSE(std::regex_search(file.content, std::regex(std::string("(^|\\n)\\s*") + word + "\\s*\\{")))
@@ -59,13 +67,15 @@ TEST(PovrayFiles, IncludesHoldDeclarationsOnly) {
 }
 
 TEST(PovrayFiles, HeaderNamesWhatTheFileDeclares) {
-  const std::vector<OutputFile> files = povray_files(model_with({pane_with(24)}));
-  const std::string& text = file_named(files, "window.inc").content;
-  const std::string header = text.substr(0, text.find("#ifndef"));
-  const std::regex declaration("\\n#(?:declare|macro) (window_\\w+)");
-  for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found) {
-    if ((*found)[1] == "window_Inc_Temp") continue;
-    EXPECT_NE(header.find((*found)[1].str()), std::string::npos) << (*found)[1];
+  const std::vector<OutputFile> files = povray_files(model_of_both());
+  for (const std::string name : {"window", "shards"}) {
+    const std::string& text = file_named(files, name + ".inc").content;
+    const std::string header = text.substr(0, text.find("#ifndef"));
+    const std::regex declaration("\\n#(?:declare|macro) (" + name + "_\\w+)");
+    for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found) {
+      if ((*found)[1] == name + "_Inc_Temp") continue;
+      EXPECT_NE(header.find((*found)[1].str()), std::string::npos) << (*found)[1];
+    }
   }
 }
 
@@ -107,6 +117,15 @@ TEST(RenderGlassCases, PanesOfManyShapesSideBySide) {
   whole.name = "1st";
   whole.impacts.clear();
   expect_renders("shapes", model_with({corner, tall, whole}));
+}
+
+// Shards in both windows and in the studio, of a pane that no frame of its own holds, with and without fallen ones.
+TEST(RenderGlassCases, Shards) {
+  Model model = model_of_both();
+  for (const std::string setting : {"window_still", "broken_window_still"}) {
+    model.setting = setting;
+    expect_renders("shards_" + setting, model);
+  }
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ TEST(TubesOfPane, HoldsForSeveralImpactsInAnOutlineThatIsNotConvex) {
 // Hand-made: a crack across the pane, and one that ends on it in the middle. The second is cut back by the sum of the radii and
 // the clearance, and so is its start at the edge.
 TEST(TubesOfPane, CutsACrackBackWhereItEndsOnAnother) {
-  const BrokenPane broken{pane_with(2), network_of({{{0, 100}, {300, 100}}, {{150, 0}, {150, 100}}}, 1)};
+  const BrokenPane broken{pane_with(2), network_of({{{0, 100}, {300, 100}}, {{150, 0}, {150, 100}}}, 1), {}};
   const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
   ASSERT_EQ(cracks.tubes.size(), 2U);
   const double r0 = cracks.tubes[0].radius_mm;

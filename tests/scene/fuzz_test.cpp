@@ -148,7 +148,7 @@ const std::string pane_scene =
     "seed = 7\n[still]\nsetting = \"window_still\"\n[[pane]]\nname = \"window\"\nsize_mm = [300, 300]\nthickness_mm = "
     "2.0\npreset = "
     "\"agui1992-fig15a\"\n[[pane.impact]]\nat_mm = [150, 150]\nmean_radial_count = 105\nspeed_m_s = 6.26\n[pane.growth]\n"
-    "spread = \"uniform\"\nlarge_speed_px = 40\nsector_angle_deg = 100\n";
+    "spread = \"uniform\"\nlarge_speed_px = 40\nsector_angle_deg = 100\n[pane.shards]\ngap_mm = 0.1\nfallen = 0.5\n";
 const std::string pavement_scene =
     "[[pavement]]\nname = \"path\"\noutline_mm = [[0, 0], [4000, 0], [4000, 1200], [0, 1200]]\nholes_mm = [[[500, 500], [700, "
     "500], "

@@ -166,6 +166,23 @@ TEST(ReadScene, EveryGrowthKeyReachesItsValue) {
   EXPECT_EQ(read(pane(base + "turn_limit_deg = 29\n")).panes[0].growth.turn_limit, Angle::degrees(29));
 }
 
+TEST(ReadScene, EveryShardsKeyReachesItsValue) {
+  const std::vector<std::string> keys = {"gap_mm = 0.1",  "splinter_mm2 = 9", "bevel_mm = 0",       "chips_per_m = 1",
+                                         "chip_mm = 2",   "missing = 0.5",    "missing_mm = 10",    "held = 0.4",
+                                         "fallen = 0.1",  "throw_m_s = 1",    "sill_drop_mm = 20",  "sill_depth_mm = 90",
+                                         "frame_mm = 20", "reveal_mm = 10",   "floor_drop_mm = 700"};
+  const std::string base = "size_mm = [9, 9]\n[[pane.impact]]\nat_mm = [1, 1]\n";
+  EXPECT_FALSE(read(pane(base)).panes[0].shards.has_value());
+  EXPECT_FALSE(read(pane(base + "[pane.shards]\nenabled = false\n")).panes[0].shards.has_value());
+  std::vector<glass::ShardRules> seen = {read(pane(base + "[pane.shards]\n")).panes[0].shards.value()};
+  EXPECT_EQ(seen.front(), glass::ShardRules{});
+  for (const std::string& key : keys) {
+    const glass::ShardRules rules = read(pane(base + "[pane.shards]\n" + key + "\n")).panes[0].shards.value();
+    for (const glass::ShardRules& other : seen) EXPECT_NE(rules, other) << key;
+    seen.push_back(rules);
+  }
+}
+
 TEST(ReadScene, EveryPavementKeyReachesItsValue) {
   const paving::Pavement p =
       read(path("stone_mm = [120, 80]\njoint_mm = 4\n[pavement.surface]\nheight_mm = 9\nheight_spread = 0.1\n"

@@ -59,6 +59,12 @@ const std::vector<Case> cases = {
     {"unknown_impact_key", impact("at_mm = [1, 1]\nspeed = 3"), "s.toml:6:1: pane[0].impact[0].speed: unknown key"},
     {"unknown_growth_key", pane(sized + "growth.sector_radius = 3"),
      "s.toml:4:8: pane[0].growth.sector_radius: unknown key; did you mean sector_radius_px?"},
+    {"unknown_shards_key", pane(sized + "shards.gap = 3"), "s.toml:4:8: pane[0].shards.gap: unknown key; did you mean gap_mm?"},
+    {"shards_gap_of_nothing", pane(sized + "shards.gap_mm = 0"),
+     "s.toml:4:17: pane[0].shards.gap_mm: expected a number from 0.02 to 10, got 0"},
+    {"shards_flag", pane(sized + "shards.enabled = 1"), "s.toml:4:20: pane[0].shards.enabled: expected true or false, got 1"},
+    {"floor_above_sill", pane(sized + "shards.floor_drop_mm = 24"),
+     "s.toml:4:23: pane[0].shards.floor_drop_mm: expected a floor not above the sill, so 25 or more, got 24"},
     {"first_unknown_key", "zzz = 1\nyyy = 2\n" + pane(sized), "s.toml:1:1: zzz: unknown key"},
     {"strange_key", "\"a\\nb\" = 1\n" + pane(sized), "s.toml:1:1: ?: unknown key"},
     // Kinds of values.

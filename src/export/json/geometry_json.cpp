@@ -89,6 +89,33 @@ void put_crack(Buffer& out, const glass::Crack& crack) {
   put(out, "}");
 }
 
+// The motion as the rows of a 3 × 4 matrix. Its turn is rounded far below what a shard of a metre shows.
+void put_motion(Buffer& out, const glass::Motion& motion) {
+  put(out, "[");
+  for (std::size_t row = 0; row < 3; ++row) {
+    const vec3& turn = motion.rows[row];
+    for (const double value : {turn.x, turn.y, turn.z}) {
+      put(out, value);
+      put(out, ",");
+    }
+    put(out, motion.shift_mm[row]);
+    if (row < 2) put(out, ",");
+  }
+  put(out, "]");
+}
+
+void put_shard(Buffer& out, const glass::Shard& shard) {
+  fmt::format_to(std::back_inserter(out), "{{\"id\":\"{}\",\"state\":\"{}\",\"outline_mm\":", shard.id, name_of(shard.state));
+  put_points(out, shard.face.outline);
+  put(out, ",\"holes_mm\":");
+  put_list(out, shard.face.holes, ",", [&](const geometry::Polygon& hole) { put_points(out, hole); });
+  if (shard.state != glass::ShardState::missing) {
+    put(out, ",\"transform\":");
+    put_motion(out, shard.motion);
+  }
+  put(out, "}");
+}
+
 void put_stone(Buffer& out, const paving::Stone& stone) {
   fmt::format_to(std::back_inserter(out), "{{\"id\":{},\"kind\":\"{}\",\"outline_mm\":", stone.id, name_of(stone.kind));
   put_points(out, stone.outline_mm);
@@ -108,6 +135,10 @@ void put_pane(Buffer& out, const BrokenPane& broken) {
   put_list(out, broken.network.impacts, ",\n   ", [&](const glass::ImpactCounts& impact) { put_impact(out, impact); });
   put(out, ",\n  \"cracks\":");
   put_list(out, broken.network.cracks, ",\n   ", [&](const glass::Crack& crack) { put_crack(out, crack); });
+  if (broken.pane.shards) {
+    put(out, ",\n  \"shards\":");
+    put_list(out, broken.shards, ",\n   ", [&](const glass::Shard& shard) { put_shard(out, shard); });
+  }
   put(out, "}");
 }
 

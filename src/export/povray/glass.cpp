@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "export/povray/sdl.h"
+#include "export/povray/shards.h"
 #include "export/povray/tubes.h"
 #include "geometry/polygon.h"
 
@@ -145,9 +147,42 @@ IncludeHeader header(const BrokenPane& broken, const std::string& prefix) {
   return header;
 }
 
+IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix) {
+  IncludeHeader header;
+  header.file = broken.pane.name + ".inc";
+  header.prefix = prefix;
+  header.description = {
+      fmt::format("Broken pane of glass \"{}\" as shards: closed meshes, no two of which touch.", broken.pane.name),
+      "1 unit = 1 mm. The pane stands upright as it is drawn in the scene file: x to the right, y up,",
+      "the middle of its thickness at z = 0. Place it with object { … translate … }.",
+      "Needs max_trace_level 12 or more in global_settings: each face of a shard refracts.",
+  };
+  header.declarations = {"Declares:"};
+  std::ranges::copy(shard_declarations(prefix), std::back_inserter(header.declarations));
+  for (const std::string_view pattern :
+       {"   {0}_Slab       the whole pane alone, without material",
+        "   {0}_Surround(Width, Depth)  macro: a board about the outline, Width wider than the bounding box, Depth",
+        "                  thick, about z = 0, without texture: for a frame",
+        "   {0}_Min, {0}_Max  corners of the bounding box of the pane", "   {0}_Thickness  of the pane",
+        "   {0}_Rectangular  1 if the outline fills the bounding box, else 0"}) {
+    header.declarations.push_back(fmt::format(fmt::runtime(pattern), prefix));
+  }
+  return header;
+}
+
+OutputFile shards_include(const BrokenPane& broken, const std::string& prefix) {
+  std::string text = "#include \"shatterpave_shards.inc\"\n\n";
+  append_slab(text, broken.pane, prefix);
+  append_surround(text, broken.pane, prefix);
+  append_shards(text, broken, prefix);
+  const IncludeHeader about = shards_header(broken, prefix);
+  return {about.file, include_text(about, text)};
+}
+
 }  // namespace
 
 OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
+  if (broken.pane.shards) return shards_include(broken, prefix);
   const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
   std::string text = "#include \"shatterpave_glass.inc\"\n\n";
   append_slab(text, broken.pane, prefix);

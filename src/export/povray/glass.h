@@ -8,6 +8,7 @@
 namespace shatterpave::exporting::povray {
 
 // `NAME.inc`: a slab of glass, the tubes of its cracks (see tubes.h) and its crushed zones.
+// Where the scene asks for shards, they stand in place of slab, tubes and zones (see shards.h).
 //   prefix  of the identifiers
 OutputFile pane_include(const BrokenPane& broken, const std::string& prefix);
 

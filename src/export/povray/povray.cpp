@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/embedded.h"
 #include "core/error.h"
@@ -49,6 +50,23 @@ std::vector<std::string> each(const std::vector<std::string>& prefixes, std::str
   return texts;
 }
 
+// Where shards may have fallen to, for all panes once one of them has shards.
+std::string shard_places(const Model& model) {
+  if (std::ranges::none_of(model.panes, [](const BrokenPane& broken) { return broken.pane.shards.has_value(); })) return {};
+  std::string text;
+  for (const auto& [name, member] :
+       {std::pair{"Sill_Drop", &glass::ShardRules::sill_drop_mm}, std::pair{"Sill_Depth", &glass::ShardRules::sill_depth_mm},
+        std::pair{"Frame", &glass::ShardRules::frame_mm}, std::pair{"Reveal", &glass::ShardRules::reveal_mm},
+        std::pair{"Floor_Drop", &glass::ShardRules::floor_drop_mm}}) {
+    std::vector<std::string> values;
+    for (const BrokenPane& broken : model.panes) {
+      values.push_back(number(broken.pane.shards.value_or(glass::ShardRules{}).*member));
+    }
+    text += array(fmt::format("Still_Pane_{}", name), values);
+  }
+  return text;
+}
+
 // What stands in the scene for the mark.
 std::string model_text(const Model& model, const std::vector<std::string>& panes, const std::vector<std::string>& pavements) {
   std::string text;
@@ -59,6 +77,7 @@ std::string model_text(const Model& model, const std::vector<std::string>& panes
   text += array("Still_Pane_Min", each(panes, "{}_Min"));
   text += array("Still_Pane_Max", each(panes, "{}_Max"));
   text += array("Still_Pane_Rectangular", each(panes, "{}_Rectangular"));
+  text += shard_places(model);
   text += choice("Still_Pane_Surround(I, Width, Depth)", each(panes, "{}_Surround(Width, Depth)"));
   text += choice("Still_Pavement(I)", each(pavements, "object {{ {}_Pavement }}"));
   text += choice("Still_Pavement_Bed(I)", each(pavements, "object {{ {}_Bed }}"));

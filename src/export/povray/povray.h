@@ -16,6 +16,8 @@ namespace shatterpave::exporting::povray {
 //    Still_Pane(I), Still_Pane_Surround(I, Width, Depth), Still_Pavement(I), Still_Pavement_Bed(I)    macros, I from 0
 // and, where there are any, the arrays
 //    Still_Pane_Min, Still_Pane_Max, Still_Pane_Rectangular, Still_Pavement_Min, Still_Pavement_Max
+// and, where a pane has shards, for each pane
+//    Still_Pane_Sill_Drop, Still_Pane_Sill_Depth, Still_Pane_Frame, Still_Pane_Reveal, Still_Pane_Floor_Drop
 // Throws InputError where there is no such template.
 std::vector<OutputFile> povray_files(const Model& model);
 

@@ -1,0 +1,107 @@
+#include "export/povray/shards.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "export/povray/sdl.h"
+
+namespace shatterpave::exporting::povray {
+
+namespace {
+
+// Elements of a list of a mesh, several a line.
+template <typename List, typename Put>
+void append_list(std::string& text, std::string_view name, const List& list, const Put& put) {
+  text += fmt::format("   {} {{ {},\n", name, list.size());
+  std::size_t i = 0;
+  for (const auto& element : list) {
+    text += i % 6 == 0 ? "      " : " ";
+    put(element);
+    ++i;
+    text += i == list.size() ? " }\n" : (i % 6 == 0 ? ",\n" : ",");
+  }
+}
+
+// The motion in POV-Ray's left-handed coordinates: z is turned round before and after. A row of its matrix is where an axis
+// goes.
+void append_motion(std::string& text, const glass::Motion& motion) {
+  if (motion == glass::Motion{}) return;
+  const auto& rows = motion.rows;
+  const double values[] = {rows[0].x,         rows[1].x,         -rows[2].x,  //
+                           rows[0].y,         rows[1].y,         -rows[2].y,  //
+                           -rows[0].z,        -rows[1].z,        rows[2].z,   //
+                           motion.shift_mm.x, motion.shift_mm.y, -motion.shift_mm.z};
+  text += "   matrix <";
+  for (const double& value : values) {
+    if (&value != values) text += ", ";
+    append_number(text, value);
+  }
+  text += ">\n";
+}
+
+void append_mesh(std::string& text, const glass::Shard& shard, double thickness_mm) {
+  text += "mesh2 {\n";
+  append_list(text, "vertex_vectors", shard.solid.vertices, [&](const geometry::LatticePoint3& vertex) {
+    append_standing_point(text, glass::in_pane_mm(vertex, thickness_mm));
+  });
+  text += "   texture_list { 2, texture { Old } texture { Broken } }\n";
+  // Counter-clockwise in right-handed coordinates is clockwise in left-handed ones; POV-Ray takes either.
+  append_list(text, "face_indices", shard.solid.triangles, [&](const geometry::SolidTriangle& triangle) {
+    fmt::format_to(std::back_inserter(text), "<{},{},{}>,{}", triangle.corners[0], triangle.corners[1], triangle.corners[2],
+                   triangle.slot);
+  });
+  append_motion(text, shard.motion);
+  text += "}\n";
+}
+
+}  // namespace
+
+void append_shards(std::string& text, const BrokenPane& broken, const std::string& prefix) {
+  std::vector<const glass::Shard*> there;
+  for (const glass::Shard& shard : broken.shards) {
+    if (shard.state != glass::ShardState::missing) there.push_back(&shard);
+  }
+  const glass::ShardRules& rules = *broken.pane.shards;
+  text += fmt::format(
+      "#declare {0}_Shard_Count = {1};\n#declare {0}_Sill_Drop = {2};\n#declare {0}_Sill_Depth = {3};\n"
+      "#declare {0}_Frame = {4};\n#declare {0}_Reveal = {5};\n#declare {0}_Floor_Drop = {6};\n\n",
+      prefix, there.size(), number(rules.sill_drop_mm), number(rules.sill_depth_mm), number(rules.frame_mm),
+      number(rules.reveal_mm), number(rules.floor_drop_mm));
+  text += fmt::format("#macro {}_Shard(I, Old, Broken)\n#switch (I)\n", prefix);
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    text += fmt::format("#case ({}) // {}, {}\n", i, there[i]->id,
+                        there[i]->state == glass::ShardState::standing ? "standing" : "fallen");
+    append_mesh(text, *there[i], broken.pane.thickness_mm);
+    text += "#break\n";
+  }
+  text += "#end\n#end\n\n";
+  text += fmt::format(
+      "#macro {0}_Shards(Old, Broken, Inside)\n   union {{\n      #for (I, 0, {0}_Shard_Count - 1)\n"
+      "         object {{ {0}_Shard(I, Old, Broken) }}\n      #end\n      interior {{ Inside }}\n      double_illuminate\n   "
+      "}}\n#end\n\n"
+      "#declare {0}_Pane = object {{ {0}_Shards(Shatterpave_Shard_Old, Shatterpave_Shard_Broken, Shatterpave_Shard_Interior) "
+      "}}\n",
+      prefix);
+}
+
+std::vector<std::string> shard_declarations(const std::string& prefix) {
+  const auto line = [&](std::string_view pattern) { return fmt::format(fmt::runtime(pattern), prefix); };
+  return {
+      line("   {0}_Pane       all shards, in materials of shatterpave_shards.inc: object {{ {0}_Pane }}"),
+      line("   {0}_Shards(Old, Broken, Inside)  macro: the same in textures and an interior of your own, which are"),
+      "                  Old     of the pane's faces and edge",
+      "                  Broken  of the walls of cracks and of chips",
+      "                  Inside  with an ior of about 1.5",
+      line("   {0}_Shard(I, Old, Broken)  macro: one of them, I from 0, without interior"),
+      line("   {0}_Shard_Count"),
+      line("   {0}_Sill_Drop, {0}_Floor_Drop  what fell lies so far below {0}_Min.y"),
+      line("   {0}_Sill_Depth  the sill reaches so far out, towards -z"),
+      line("   {0}_Frame      the frame stands out so far"),
+      line("   {0}_Reveal     walls are so far beyond {0}_Min.x and {0}_Max.x"),
+  };
+}
+
+}  // namespace shatterpave::exporting::povray

@@ -1,0 +1,26 @@
+// A shard as a closed solid: front, back and walls, with bevels and chips along its edges.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/random.h"
+#include "geometry/polygon.h"
+#include "geometry/solid.h"
+#include "glass/pane.h"
+
+namespace shatterpave::glass {
+
+struct ShardBlank {
+  geometry::Region region;  // in the pane's plane
+  // For each ring, the outline first, whether the side from a vertex to the next one is of the pane's old edge, not of a crack.
+  std::vector<std::vector<bool>> is_old;
+  double thickness_mm = 0.0;
+  Id id;  // for its chips
+};
+
+// Slots are ShardSurface, z runs from 0 to the thickness. Front and back faces are smaller than the region by the bevel and by
+// chips off broken edges; where nothing of one would be left, or the region has holes, that side stays sharp.
+geometry::Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed);
+
+}  // namespace shatterpave::glass

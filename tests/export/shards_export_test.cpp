@@ -39,7 +39,8 @@ TEST(ShardsJson, TellWhatEachShardIsAndWhereItIs) {
       EXPECT_EQ(shard["transform"], (nlohmann::json{1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0}));
     }
     if (shard["state"] == "fallen") {
-      EXPECT_LT(shard["transform"][7], 0.0) << shard["id"];
+      EXPECT_EQ(shard["transform"][7], model.panes[0].shards[i].motion.shift_mm.y) << shard["id"];
+      EXPECT_NE(shard["transform"][11], 0.0) << shard["id"];
     }
   }
   EXPECT_EQ(ids.size(), pane["shards"].size());

@@ -46,6 +46,12 @@ enum class Stream : std::uint32_t {
   shard_missing = 61,  // whether a shard leaves the pane
   shard_fallen = 62,   // whether one that left it lies about
   shard_throw = 63,    // how it leaves
+  debris = 40,         // crushed zone and other litter about an impact
+  crack_tilt = 70,     // walls of a crack: lean,
+  crack_curve = 71,    // bow,
+  crack_opening = 72,  // width of the gap,
+  crack_depth = 73,    // and how deep it is
+  shot_hole = 74,      // flakes about the hole of a shot
 };
 
 // Identity of an element, made from what it *is*: its names and its places among its siblings, never from a running

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "glass/crack_surface.h"
 #include "glass/network.h"
 #include "glass/pane.h"
 #include "glass/shards.h"
@@ -20,7 +21,8 @@ namespace shatterpave::exporting {
 struct BrokenPane {
   glass::Pane pane;
   glass::CrackNetwork network;
-  std::vector<glass::Shard> shards;  // where pane.shards asks for them
+  std::vector<glass::Shard> shards{};  // where pane.shards asks for them
+  glass::CrackSurfaces surfaces{};     // none unless the pane asks for sheets
 };
 
 struct PavedArea {

@@ -107,6 +107,8 @@ struct Impact {
   std::optional<int> circular_count;        // R, 0 … 1,000
   double ball_diameter_mm = 25.0;           // §3.1.1
   double speed_m_s = 6.26;                  // a fall from 2 m (§3.1.1)
+  double hole_mm = 0.0;                     // diameter of the hole on the viewer's side; 0: what hit did not go through
+  std::optional<double> spall_mm;           // and on the far side: hole_mm + 4.5 thicknesses, a cone of 66° to either side
 
   bool operator==(const Impact&) const = default;
 };
@@ -182,6 +184,24 @@ struct ShardRules {
   bool operator==(const ShardRules&) const = default;
 };
 
+// What a crack is made of for renderers: a thin tube in the middle of the glass, or a gap of air through its thickness.
+enum class CrackBody { cylinder, sheet };
+
+// The shape of gaps (see crack_surface.h). Walls of real cracks are never quite upright: where they lean, they mirror what lies
+// aside, which is why cracks flash. All by eye, from photographs of broken panes.
+struct CrackSheet {
+  Angle tilt = Angle::degrees(32.0);   // how far walls lean from upright at the most, to either side; below 80°
+  Angle curve = Angle::degrees(14.0);  // by how much they lean otherwise at the faces of the pane than in its middle
+  double twist_mm = 18.0;              // length along the crack over which the lean changes to another one
+  double opening_mm = 0.05;            // mean width of the gap at the face on which it opens
+  double opening_variation = 0.6;      // by which share of that it varies along the crack
+  double least_depth = 0.6;            // cracks that stop within the glass reach this share of the thickness …
+  double greatest_depth = 1.0;         // … to that one, each its own; all others run through
+  double relief = 1.0;                 // how rough the walls are: 0 is polished
+
+  bool operator==(const CrackSheet&) const = default;
+};
+
 struct Pane {
   std::string name;              // unique in its scene, an identifier: letters, digits, '_' and '-'
   geometry::Polygon outline_mm;  // simple, counter-clockwise, on the lattice
@@ -195,6 +215,8 @@ struct Pane {
   Laminate laminate;
   Tempering tempering;
   std::optional<ShardRules> shards;  // nothing: cracks only
+  CrackBody crack_body = CrackBody::cylinder;
+  CrackSheet crack_sheet;
 
   bool operator==(const Pane&) const = default;
 };

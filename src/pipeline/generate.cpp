@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "core/parallel.h"
+#include "glass/crack_surface.h"
 #include "glass/growth.h"
 #include "glass/shards.h"
 #include "paving/kerb.h"
@@ -31,7 +32,11 @@ exporting::Model generated(const scene::Scene& scene, const Progress& progress) 
     if (i < panes) {
       exporting::BrokenPane& broken = model.panes[i];
       broken.network = glass::grown_cracks(broken.pane, scene.seed);
-      if (broken.pane.shards) broken.shards = glass::shards(broken.pane, broken.network, scene.seed);
+      if (broken.pane.shards) {
+        broken.shards = glass::shards(broken.pane, broken.network, scene.seed);
+      } else if (broken.pane.crack_body == glass::CrackBody::sheet) {
+        broken.surfaces = glass::crack_surfaces(broken.pane, broken.network, scene.seed);
+      }
     } else {
       exporting::PavedArea& paved = model.pavements[i - panes];
       paved.layout = paving::laid_stones(paved.pavement, scene.seed);

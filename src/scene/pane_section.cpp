@@ -179,6 +179,36 @@ void read_tempering(const TomlTable& pane, glass::Tempering& tempering) {
   table->read("splinter_reach_mm", {1.0, 10'000.0}, tempering.splinter_reach_mm);
 }
 
+// Leans and bows are limited so that a wall reaches no farther aside than three thicknesses of the pane.
+void read_crack_body(const TomlTable& pane, glass::Pane& result) {
+  if (const auto body = pane.choice("crack_body", {"cylinder", "sheet"})) {
+    result.crack_body = *body == 0 ? glass::CrackBody::cylinder : glass::CrackBody::sheet;
+  }
+  for (const glass::Impact& impact : result.impacts) {
+    if (impact.hole_mm > 0.0 && result.crack_body != glass::CrackBody::sheet) {
+      refuse(pane.place("crack_body"), "\"sheet\", since an impact has a hole_mm", "\"cylinder\"");
+    }
+  }
+  const auto table =
+      pane.table("crack_sheet", {"tilt_deg", "curve_deg", "twist_mm", "opening_mm", "opening_variation", "depth", "relief"});
+  if (!table) return;
+  if (result.crack_body != glass::CrackBody::sheet) {
+    refuse(table->place(), "crack_body = \"sheet\" beside it", "none");
+  }
+  glass::CrackSheet& sheet = result.crack_sheet;
+  read_angle(*table, "tilt_deg", {0.0, 70.0}, sheet.tilt);
+  read_angle(*table, "curve_deg", {0.0, 70.0}, sheet.curve);
+  table->read("twist_mm", {1.0, 1000.0}, sheet.twist_mm);
+  table->read("opening_mm", {0.001, 10.0}, sheet.opening_mm);
+  table->read("opening_variation", {0.0, 1.0}, sheet.opening_variation);
+  if (const auto depth = table->point("depth", {0.05, 1.0})) {
+    if (depth->x > depth->y) refuse(table->place("depth"), "[least, greatest]", "the greater one first");
+    sheet.least_depth = depth->x;
+    sheet.greatest_depth = depth->y;
+  }
+  table->read("relief", {0.0, 10.0}, sheet.relief);
+}
+
 const glass::Preset* preset_of(const TomlTable& pane) {
   const auto name = pane.text("preset");
   if (!name) return nullptr;
@@ -220,14 +250,16 @@ glass::Impact impact_of(const TomlTable& table, const glass::Pane& pane) {
   impact.circular_count = count_of(table, "circular_count", 0, most_ring_starts);
   table.read("ball_diameter_mm", {0.0, 1000.0, true}, impact.ball_diameter_mm);
   table.read("speed_m_s", {0.0, 2000.0, true}, impact.speed_m_s);
+  table.read("hole_mm", {0.0, 1000.0}, impact.hole_mm);
+  impact.spall_mm = table.number("spall_mm", {impact.hole_mm, 10000.0});
   return impact;
 }
 
 std::vector<glass::Impact> impacts_of(const TomlTable& table, const glass::Pane& pane, bool has_preset) {
   std::vector<glass::Impact> impacts;
-  for (const TomlTable& impact : table.tables(
-           "impact", most_impacts,
-           {"at_mm", "mean_radial_count", "radial_count", "large_count", "circular_count", "ball_diameter_mm", "speed_m_s"})) {
+  for (const TomlTable& impact : table.tables("impact", most_impacts,
+                                              {"at_mm", "mean_radial_count", "radial_count", "large_count", "circular_count",
+                                               "ball_diameter_mm", "speed_m_s", "hole_mm", "spall_mm"})) {
     impacts.push_back(impact_of(impact, pane));
   }
   if (!impacts.empty()) return impacts;
@@ -266,6 +298,7 @@ glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
   read_kind(table, pane);
   read_tempering(table, pane.tempering);
   read_shards(table, pane.shards);
+  read_crack_body(table, pane);
   return pane;
 }
 
@@ -273,10 +306,11 @@ glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
 
 std::vector<glass::Pane> panes_of(const TomlTable& root, Plans& plans, Names& names) {
   std::vector<glass::Pane> panes;
-  for (const TomlTable& table : root.tables("pane", most_panes,
-                                            {"name", "size_mm", "outline_mm", "outline_file", "outline_feature",
-                                             "outline_class", "outline_units", "thickness_mm", "preset", "impact", "growth",
-                                             "shards", "glass", "pattern", "rings", "crater", "laminate", "tempering"})) {
+  for (const TomlTable& table :
+       root.tables("pane", most_panes, {"name",          "size_mm",       "outline_mm",   "outline_file", "outline_feature",
+                                        "outline_class", "outline_units", "thickness_mm", "preset",       "impact",
+                                        "growth",        "shards",        "glass",        "pattern",      "rings",
+                                        "crater",        "laminate",      "tempering",    "crack_body",   "crack_sheet"})) {
     panes.push_back(pane_of(table, plans, names));
   }
   return panes;

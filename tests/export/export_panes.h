@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "export/model.h"
+#include "glass/crack_surface.h"
 #include "glass/growth.h"
 #include "glass/shards.h"
 
@@ -21,7 +22,11 @@ inline glass::Pane pane_with(int radial_count) {
   return pane;
 }
 
-inline exporting::BrokenPane broken_pane(const glass::Pane& pane) { return {pane, glass::grown_cracks(pane, 7), {}}; }
+inline exporting::BrokenPane broken_pane(const glass::Pane& pane) {
+  exporting::BrokenPane broken{pane, glass::grown_cracks(pane, 7)};
+  if (pane.crack_body == glass::CrackBody::sheet) broken.surfaces = glass::crack_surfaces(pane, broken.network, 7);
+  return broken;
+}
 
 // The same in shards, of which some have fallen.
 inline exporting::BrokenPane shattered_pane(int radial_count) {

@@ -103,6 +103,90 @@ TEST_P(RenderGlass, WithoutWarning) { expect_renders(std::to_string(GetParam()),
 
 INSTANTIATE_TEST_SUITE_P(Radials, RenderGlass, testing::Values(1, 24, 113, 200, 1000));
 
+// The same panes with cracks through the thickness: no warning, and above all no crash of POV-Ray where hundreds of them meet.
+class RenderSheets : public testing::TestWithParam<int> {};
+
+TEST_P(RenderSheets, WithoutWarning) {
+  glass::Pane pane = pane_with(GetParam());
+  pane.crack_body = glass::CrackBody::sheet;
+  expect_renders("sheets_" + std::to_string(GetParam()), model_with({pane}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Radials, RenderSheets, testing::Values(1, 24, 113, 200));
+
+TEST(PovrayFiles, HeaderNamesWhatSheetsDeclare) {
+  glass::Pane pane = pane_with(3);
+  pane.crack_body = glass::CrackBody::sheet;
+  const std::vector<OutputFile> files = povray_files(model_with({pane}));
+  const std::string& text = file_named(files, "window.inc").content;
+  EXPECT_NE(text.find("#declare window_Cracks_0 =\nunion {"), std::string::npos);
+  EXPECT_NE(text.find("mesh2 {"), std::string::npos);
+  EXPECT_EQ(text.find("cylinder {"), std::string::npos);
+  EXPECT_NE(text.substr(0, text.find("#ifndef")).find("window_Cracks_0"), std::string::npos);
+}
+
+// What cracks add to the picture of the bare slab, over the pixels in which they show: mean, and the brightest hundredth.
+struct Flash {
+  double mean = 0.0;
+  double brightest = 0.0;
+};
+
+void replace(std::string& text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+}
+
+// With clear air in the cracks, whatever they are made of, and without the crushed zone: so that only their shape tells.
+relief::Raster lit_by_the_shop(const std::string& name, const BrokenPane& broken) {
+  Model model;
+  model.name = "scene";
+  model.setting = "shop_window_still";
+  model.panes = {broken};
+  const std::filesystem::path folder = render_tests::output_folder() / ("flash_" + name);
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  for (OutputFile file : povray_files(model)) {
+    replace(file.content, "   object { window_Crushed double_illuminate }\n", "");
+    replace(file.content, "object { window_Pane }",
+            "#local Air = material { texture { pigment { rgbt 1 } finish { reflection { 0, 1 fresnel on } conserve_energy } } "
+            "interior { ior 1 } } object { window_Broken(Shatterpave_Glass, Air) }");
+    std::ofstream(folder / file.name, std::ios::binary) << file.content;
+  }
+  return render_tests::rendered(folder, "scene.pov", 160, 120);
+}
+
+Flash flash(const relief::Raster& cracked, const relief::Raster& bare) {
+  std::vector<double> gains;
+  for (std::size_t i = 0; i < bare.values.size(); i += 3) {
+    double gain = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      gain += (static_cast<double>(cracked.values[i + k]) - static_cast<double>(bare.values[i + k])) / 3.0;
+    if (std::abs(gain) > 0.004) gains.push_back(gain);
+  }
+  std::ranges::sort(gains);
+  Flash result;
+  for (const double gain : gains) result.mean += gain / static_cast<double>(gains.size());
+  result.brightest = gains[gains.size() - 1 - gains.size() / 100];
+  return result;
+}
+
+TEST(RenderSheetsLook, FlashMoreThanCylinders) {
+  glass::Pane pane = pane_with(24);
+  pane.outline_mm = {{90, 105}, {210, 105}, {210, 195}, {90, 195}};
+  pane.thickness_mm = 5.0;
+  BrokenPane bare = broken_pane(pane);
+  bare.network = {};
+  const relief::Raster slab = lit_by_the_shop("bare", bare);
+  const Flash cylinders = flash(lit_by_the_shop("cylinders", broken_pane(pane)), slab);
+  pane.crack_body = glass::CrackBody::sheet;
+  const Flash sheets = flash(lit_by_the_shop("sheets", broken_pane(pane)), slab);
+  EXPECT_GT(sheets.mean, cylinders.mean);
+  EXPECT_GT(sheets.brightest, 1.5 * cylinders.brightest);
+  RecordProperty("sheets", std::to_string(sheets.mean) + " " + std::to_string(sheets.brightest));
+  RecordProperty("cylinders", std::to_string(cylinders.mean) + " " + std::to_string(cylinders.brightest));
+}
+
 TEST(RenderGlassCases, PanesOfManyShapesSideBySide) {
   glass::Pane corner = pane_with(40);
   corner.name = "corner-pane";

@@ -79,7 +79,7 @@ void expect_within(const BrokenPane& broken, const TubedCracks& cracks) {
     EXPECT_GT(to_outline(tube.a_mm, tube.b_mm), tube.radius_mm + clearance_mm);
     EXPECT_TRUE(geometry::contains(outline, tube.a_mm));
     EXPECT_LT(2.0 * tube.radius_mm, broken.pane.thickness_mm);
-    for (const CrushedZone& zone : cracks.zones) {
+    for (const glass::ImpactZone& zone : cracks.zones) {
       EXPECT_GT(distance(zone.centre_mm, tube.a_mm, tube.b_mm), zone.radius_mm + tube.radius_mm + clearance_mm);
     }
   }

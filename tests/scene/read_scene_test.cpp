@@ -314,5 +314,30 @@ TEST(ReadScene, OverridesWinWhateverTheirPath) {
   EXPECT_EQ(scene.panes[0].impacts[0].at_mm, vec2(20, 30));
 }
 
+TEST(ReadScene, TakesTheShapeOfCracks) {
+  const Scene scene = scene_of_text(R"(
+[[pane]]
+name = "plain"
+size_mm = [300, 300]
+impact = [{ at_mm = [150, 150] }]
+[[pane]]
+name = "sheets"
+size_mm = [300, 300]
+impact = [{ at_mm = [150, 150] }]
+crack_body = "sheet"
+crack_sheet = { tilt_deg = 20, twist_mm = 5, depth = [0.2, 0.4], relief = 0 }
+)",
+                                    "s.toml");
+  EXPECT_EQ(scene.panes[0].crack_body, glass::CrackBody::cylinder);
+  const glass::Pane& pane = scene.panes[1];
+  EXPECT_EQ(pane.crack_body, glass::CrackBody::sheet);
+  EXPECT_NEAR(pane.crack_sheet.tilt.degrees(), 20.0, 1e-12);
+  EXPECT_EQ(pane.crack_sheet.twist_mm, 5.0);
+  EXPECT_EQ(pane.crack_sheet.least_depth, 0.2);
+  EXPECT_EQ(pane.crack_sheet.greatest_depth, 0.4);
+  EXPECT_EQ(pane.crack_sheet.relief, 0.0);
+  EXPECT_EQ(pane.crack_sheet.opening_mm, glass::CrackSheet().opening_mm);
+}
+
 }  // namespace
 }  // namespace shatterpave::scene

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "export/povray/sdl.h"
 #include "export/povray/shards.h"
+#include "export/povray/sheets.h"
 #include "export/povray/tubes.h"
 #include "geometry/polygon.h"
 
@@ -82,25 +84,80 @@ std::vector<std::string> tube_texts(const TubedCracks& cracks) {
   return texts;
 }
 
-std::vector<std::string> crushed_texts(const TubedCracks& cracks, const std::string& prefix) {
+std::vector<std::string> crushed_texts(const std::vector<glass::ImpactZone>& zones, const std::string& prefix) {
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < cracks.zones.size(); ++i) {
-    const CrushedZone& zone = cracks.zones[i];
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    const glass::ImpactZone& zone = zones[i];
     texts.push_back(fmt::format("   object {{ Shatterpave_Crushed({}, {}_Thickness, {}) translate {} }}\n",
                                 number(zone.radius_mm), prefix, i, standing_point({zone.centre_mm, 0.0})));
   }
   return texts;
 }
 
-void append_whole(std::string& text, const TubedCracks& cracks, const std::string& prefix) {
-  std::vector<std::string> parts{fmt::format("   object {{ {}_Slab material {{ Glass }} }}\n", prefix)};
-  if (!cracks.tubes.empty())
-    parts.push_back(fmt::format("   object {{ {}_Cracks material {{ Crack }} double_illuminate }}\n", prefix));
-  if (!cracks.zones.empty()) parts.push_back(fmt::format("   object {{ {}_Crushed double_illuminate }}\n", prefix));
-  text += fmt::format(
-      "#macro {0}_Broken(Glass, Crack)\n{1}#end\n\n#declare {0}_Pane = object {{ {0}_Broken(Shatterpave_Glass, "
-      "Shatterpave_Crack) }}\n",
-      prefix, together(parts));
+// Of what the cracks are made.
+enum class Body { tubes, sheets };
+
+constexpr std::string_view own_tubes = "material { Shatterpave_Crack }";
+
+// Cracks as they are declared: in groups, each with a material of its own in the ready-made pane.
+struct CrackGroup {
+  std::string name;
+  std::string material;  // as it stands in an object
+  std::vector<std::string> objects;
+};
+
+std::vector<CrackGroup> crack_groups(const BrokenPane& broken, const std::string& prefix) {
+  std::vector<CrackGroup> groups;
+  for (std::size_t i = 0; i < broken.network.impacts.size(); ++i) {
+    CrackGroup group{
+        fmt::format("{}_Cracks_{}", prefix, i),
+        fmt::format("Shatterpave_Sheet({}, {}_Thickness, {})", standing_point({broken.network.impacts[i].at_mm, 0.0}), prefix,
+                    number(broken.pane.crack_sheet.relief)),
+        {}};
+    int crack = -1;
+    for (const glass::CrackSurface& surface : broken.surfaces.surfaces) {
+      if (surface.impact != static_cast<int>(i)) continue;
+      const std::string comment = surface.crack != crack ? fmt::format("   // crack {}\n", surface.crack) : std::string();
+      crack = surface.crack;
+      group.objects.push_back(comment + sheet_mesh(surface));
+    }
+    if (!group.objects.empty()) groups.push_back(std::move(group));
+  }
+  for (std::size_t i = 0; i < broken.surfaces.shot_holes.size(); ++i) {
+    const glass::ShotHoleShape& shape = broken.surfaces.shot_holes[i].shape;
+    groups.push_back({fmt::format("{}_ShotHole_{}", prefix, i),
+                      fmt::format("Shatterpave_ShotHole({}, {}, {}, {}_Thickness)", standing_point({shape.centre_mm, 0.0}),
+                                  number(shape.hole_radius_mm), number(shape.spall_radius_mm), prefix),
+                      {shot_hole_mesh(broken.surfaces.shot_holes[i])}});
+  }
+  return groups;
+}
+
+// Zones about impacts that went through are holes instead.
+std::vector<glass::ImpactZone> crushed_zones(const glass::CrackSurfaces& surfaces) {
+  std::vector<glass::ImpactZone> zones;
+  for (const glass::ImpactZone& zone : surfaces.zones) {
+    const auto is_here = [&](const glass::ShotHole& shot_hole) { return shot_hole.shape.centre_mm == zone.centre_mm; };
+    if (std::ranges::none_of(surfaces.shot_holes, is_here)) zones.push_back(zone);
+  }
+  return zones;
+}
+
+// NAME_Broken with materials of the artist's, and NAME_Pane with ours.
+void append_whole(std::string& text, const std::vector<CrackGroup>& groups, bool crushed, const std::string& prefix) {
+  const auto parts = [&](std::string_view glass, bool own) {
+    std::vector<std::string> objects{fmt::format("   object {{ {}_Slab material {{ {} }} }}\n", prefix, glass)};
+    for (const CrackGroup& group : groups) {
+      objects.push_back(fmt::format("   object {{ {} {} double_illuminate }}\n", group.name,
+                                    own ? std::string_view(group.material) : std::string_view("material { Crack }")));
+    }
+    if (crushed) objects.push_back(fmt::format("   object {{ {}_Crushed double_illuminate }}\n", prefix));
+    return together(objects);
+  };
+  text += fmt::format("#macro {0}_Broken(Glass, Crack)\n{1}#end\n\n", prefix, parts("Glass", false));
+  const bool plain = std::ranges::all_of(groups, [](const CrackGroup& group) { return group.material == own_tubes; });
+  text += plain ? fmt::format("#declare {0}_Pane = object {{ {0}_Broken(Shatterpave_Glass, Shatterpave_Crack) }}\n", prefix)
+                : fmt::format("#declare {}_Pane =\n{}", prefix, parts("Shatterpave_Glass", true));
 }
 
 // A board about the outline, for frames that hold a pane of any shape.
@@ -115,16 +172,29 @@ void append_surround(std::string& text, const glass::Pane& pane, const std::stri
   text += fmt::format("\n{}   }}\n#end\n\n", standing);
 }
 
-IncludeHeader header(const BrokenPane& broken, const std::string& prefix) {
+std::vector<std::string> crack_lines(Body body) {
+  if (body == Body::tubes) {
+    return {"   {0}_Cracks     the tubes alone, without material; no two of them touch, so they may share one interior.",
+            "                  Their radius is fixed, since they are trimmed by it"};
+  }
+  return {"   {0}_Cracks_0   the gaps alone, those of the first impact, without material; {0}_Cracks_1 those of the second …",
+          "                  No two of them touch, so they may share one interior",
+          "   {0}_ShotHole_0   the air of the first hole that goes through, with the cone on its far side; {0}_ShotHole_1 … "
+          "The two",
+          "                  faces of the slab go on over a hole as a skin of 0.01 mm, of which only a faint reflection shows"};
+}
+
+IncludeHeader header(const BrokenPane& broken, const std::string& prefix, Body body) {
   IncludeHeader header;
   header.file = broken.pane.name + ".inc";
   header.prefix = prefix;
   header.description = {
-      fmt::format("Broken pane of glass \"{}\": {} cracks as tubes of air in a slab.", broken.pane.name,
-                  broken.network.cracks.size()),
+      fmt::format("Broken pane of glass \"{}\": {} cracks as {} of air in a slab.", broken.pane.name,
+                  broken.network.cracks.size(), body == Body::tubes ? "tubes" : "thin gaps"),
       "1 unit = 1 mm. The pane stands upright as it is drawn in the scene file: x to the right, y up,",
       "the middle of its thickness at z = 0. Place it with object { … translate … }.",
-      "Needs max_trace_level 12 or more in global_settings: each tube and each face of the slab refracts.",
+      fmt::format("Needs max_trace_level 12 or more in global_settings: each {} and each face of the slab refracts.",
+                  body == Body::tubes ? "tube" : "gap"),
   };
   const auto line = [&](std::string_view pattern) { return fmt::format(fmt::runtime(pattern), prefix); };
   header.declarations = {
@@ -134,16 +204,17 @@ IncludeHeader header(const BrokenPane& broken, const std::string& prefix) {
       "                  Glass   a material with an ior of about 1.5",
       "                  Crack   a material with an ior of 1: what fills the cracks is air",
       line("   {0}_Slab       the slab alone, without material"),
-      line("   {0}_Cracks     the tubes alone, without material; no two of them touch, so they may share one interior."),
-      "                  Their radius is fixed, since they are trimmed by it",
-      line("   {0}_Crushed    the crushed zones about the impacts, with their materials"),
-      "                  (Cracks and Crushed are not declared where there are none)",
-      line("   {0}_Surround(Width, Depth)  macro: a board about the outline, Width wider than the bounding box, Depth"),
-      "                  thick, about z = 0, without texture: for a frame",
-      line("   {0}_Min, {0}_Max  corners of the bounding box of the slab"),
-      line("   {0}_Thickness  of the slab"),
-      line("   {0}_Rectangular  1 if the outline fills the bounding box, else 0"),
   };
+  for (const std::string& pattern : crack_lines(body)) header.declarations.push_back(line(pattern));
+  for (const std::string_view pattern :
+       {"   {0}_Crushed    the crushed zones about the impacts, with their materials",
+        "                  (Cracks and Crushed are not declared where there are none)",
+        "   {0}_Surround(Width, Depth)  macro: a board about the outline, Width wider than the bounding box, Depth",
+        "                  thick, about z = 0, without texture: for a frame",
+        "   {0}_Min, {0}_Max  corners of the bounding box of the slab", "   {0}_Thickness  of the slab",
+        "   {0}_Rectangular  1 if the outline fills the bounding box, else 0"}) {
+    header.declarations.push_back(line(pattern));
+  }
   return header;
 }
 
@@ -183,14 +254,23 @@ OutputFile shards_include(const BrokenPane& broken, const std::string& prefix) {
 
 OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
   if (broken.pane.shards) return shards_include(broken, prefix);
-  const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
+  const Body body = broken.pane.crack_body == glass::CrackBody::sheet ? Body::sheets : Body::tubes;
+  std::vector<glass::ImpactZone> zones = crushed_zones(broken.surfaces);
+  std::vector<CrackGroup> groups;
+  if (body == Body::sheets) {
+    groups = crack_groups(broken, prefix);
+  } else {
+    const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
+    zones = cracks.zones;
+    if (!cracks.tubes.empty()) groups.push_back({prefix + "_Cracks", std::string(own_tubes), tube_texts(cracks)});
+  }
   std::string text = "#include \"shatterpave_glass.inc\"\n\n";
   append_slab(text, broken.pane, prefix);
-  append_declaration(text, prefix + "_Cracks", tube_texts(cracks));
-  append_declaration(text, prefix + "_Crushed", crushed_texts(cracks, prefix));
+  for (const CrackGroup& group : groups) append_declaration(text, group.name, group.objects);
+  append_declaration(text, prefix + "_Crushed", crushed_texts(zones, prefix));
   append_surround(text, broken.pane, prefix);
-  append_whole(text, cracks, prefix);
-  const IncludeHeader about = header(broken, prefix);
+  append_whole(text, groups, !zones.empty(), prefix);
+  const IncludeHeader about = header(broken, prefix, body);
   return {about.file, include_text(about, text)};
 }
 

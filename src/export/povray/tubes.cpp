@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
+#include <utility>
 
 #include "core/functions.h"
 #include "geometry/lattice.h"
 #include "geometry/polygon.h"
 #include "geometry/segment_index.h"
+#include "glass/crack_paths.h"
 
 namespace shatterpave::exporting::povray {
 
@@ -33,9 +34,8 @@ constexpr double narrow_share = 0.75;
 // A tip within the glass is narrower still, over the last third of its crack. By eye.
 constexpr double tip_share = 0.3;
 constexpr double tip_length_share = 0.33;
-// The crushed zone: at least as wide as the glass is thick by this factor, at most this share of the root of the pane's area.
+// The crushed zone is at least as wide as the glass is thick by this factor.
 constexpr double zone_by_thickness = 1.5;
-constexpr double largest_zone_share = 0.04;
 // Room between radials on the ring, as a multiple of what they take, since they are not spread quite evenly. By eye.
 constexpr double ring_room = 1.25;
 // Below 10 lattice steps a radius has no meaning; with so many radials the outer ones are cut back instead.
@@ -148,25 +148,10 @@ class Obstacles {
   std::vector<Obstacle> obstacles_;
 };
 
-double distance_to(vec2 point, vec2 a, vec2 b) {
-  const vec2 side = b - a;
-  const double length2 = glm::dot(side, side);
-  const double t = length2 == 0.0 ? 0.0 : std::clamp(glm::dot(point - a, side) / length2, 0.0, 1.0);
-  return glm::length(point - (a + t * side));
-}
-
-double distance_to_outline(const geometry::Polygon& outline, vec2 point) {
-  double distance = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    distance = std::min(distance, distance_to(point, outline[i], outline[(i + 1) % outline.size()]));
-  }
-  return distance;
-}
-
 // ---- crushed zones, and how thick the tubes of each impact may be
 
 struct ImpactShape {
-  CrushedZone zone;
+  glass::ImpactZone zone;
   double radius_mm = 0.0;  // of the tubes
 };
 
@@ -194,20 +179,15 @@ ImpactShape impact_shape(vec2 centre, int count, double thickness_mm, double lar
 
 std::vector<ImpactShape> impact_shapes(const glass::Pane& pane, const glass::CrackNetwork& network) {
   const std::vector<int> counts = radial_counts(network);
+  const std::vector<double> limits = glass::zone_limits_mm(pane, network);
   std::vector<ImpactShape> shapes;
   for (std::size_t i = 0; i < network.impacts.size(); ++i) {
-    const vec2 centre = network.impacts[i].at_mm;
-    double room = largest_zone_share * std::sqrt(std::abs(geometry::area(pane.outline_mm)));
-    room = std::min(room, 0.8 * distance_to_outline(pane.outline_mm, centre));
-    for (std::size_t j = 0; j < network.impacts.size(); ++j) {
-      if (j != i) room = std::min(room, 0.4 * glm::length(network.impacts[j].at_mm - centre));
-    }
-    shapes.push_back(impact_shape(centre, counts[i], pane.thickness_mm, room));
+    shapes.push_back(impact_shape(network.impacts[i].at_mm, counts[i], pane.thickness_mm, limits[i]));
   }
   return shapes;
 }
 
-// ---- chains: cracks in the order in which they take their room; the two arms of a ring crack are one chain
+// ---- chains
 
 struct Chain {
   std::vector<vec2> points;
@@ -219,23 +199,6 @@ struct Chain {
 
 bool ends_within(const CrackEnd& end) { return end.at == CrackEnd::At::open || end.at == CrackEnd::At::enclosed; }
 
-// Ids of the cracks, each after the one that it ends on: a crack gives way to the one it ran into.
-std::vector<int> order_of_precedence(const glass::CrackNetwork& network) {
-  std::vector<int> order;
-  std::vector<bool> reached(network.cracks.size(), false);
-  for (const Crack& crack : network.cracks) {
-    std::vector<int> waiting;
-    int id = crack.id;
-    while (!reached[static_cast<std::size_t>(id)]) {
-      reached[static_cast<std::size_t>(id)] = true;
-      waiting.push_back(id);
-      id = network.cracks[static_cast<std::size_t>(id)].end.crack.value_or(id);
-    }
-    order.insert(order.end(), waiting.rbegin(), waiting.rend());
-  }
-  return order;
-}
-
 double chain_radius(const Crack& crack, const std::vector<ImpactShape>& shapes) {
   const double share = crack.kind == CrackKind::large ? 1.0 : narrow_share;
   return share * shapes[static_cast<std::size_t>(crack.impact)].radius_mm;
@@ -243,21 +206,10 @@ double chain_radius(const Crack& crack, const std::vector<ImpactShape>& shapes) 
 
 std::vector<Chain> chains(const glass::CrackNetwork& network, const std::vector<ImpactShape>& shapes) {
   std::vector<Chain> result;
-  std::map<geometry::LatticePoint, std::size_t> first_arms;
-  for (const int id : order_of_precedence(network)) {
-    const Crack& crack = network.cracks[static_cast<std::size_t>(id)];
-    const geometry::LatticePoint start = geometry::to_lattice(crack.points_mm.front());
-    const bool arm = crack.start.at == CrackEnd::At::ring;
-    const auto other = arm ? first_arms.find(start) : first_arms.end();
-    if (other != first_arms.end()) {
-      Chain& chain = result[other->second];
-      chain.points.insert(chain.points.begin(), crack.points_mm.rbegin(), crack.points_mm.rend() - 1);
-      chain.narrow_start = ends_within(crack.end);
-      first_arms.erase(other);
-      continue;
-    }
-    if (arm) first_arms.emplace(start, result.size());
-    result.push_back({crack.points_mm, id, chain_radius(crack, shapes), false, ends_within(crack.end)});
+  for (glass::CrackPath& path : glass::crack_paths(network)) {
+    const Crack& crack = network.cracks[static_cast<std::size_t>(path.crack)];
+    result.push_back(
+        {std::move(path.points_mm), path.crack, chain_radius(crack, shapes), ends_within(path.start), ends_within(path.end)});
   }
   return result;
 }

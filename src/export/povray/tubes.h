@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/vec.h"
+#include "glass/crack_paths.h"
 #include "glass/network.h"
 #include "glass/pane.h"
 
@@ -26,15 +27,9 @@ struct Tube {
   int crack = 0;  // id
 };
 
-// The ground-up disc about an impact, which tubes do not enter.
-struct CrushedZone {
-  vec2 centre_mm{0.0, 0.0};
-  double radius_mm = 0.0;
-};
-
 struct TubedCracks {
-  std::vector<CrushedZone> zones;  // one for each impact
-  std::vector<Tube> tubes;         // those of one crack in succession
+  std::vector<glass::ImpactZone> zones;  // one for each impact
+  std::vector<Tube> tubes;               // those of one crack in succession
 };
 
 // Guarantees, in mm, with c = tube_clearance_mm less 2 lattice steps:

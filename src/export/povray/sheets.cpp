@@ -1,0 +1,89 @@
+#include "export/povray/sheets.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include "export/povray/sdl.h"
+
+namespace shatterpave::exporting::povray {
+
+namespace {
+
+constexpr double normal_steps = 1000.0;
+constexpr std::size_t per_line = 6;
+
+vec3 rounded(vec3 normal) {
+  const auto to_step = [](double value) { return std::round(value * normal_steps) / normal_steps; };
+  return {to_step(normal.x), to_step(normal.y), to_step(normal.z)};
+}
+
+void append_separator(std::string& text, std::size_t number) {
+  text += number == 0 ? "      " : (number % per_line == 0 ? ",\n      " : ", ");
+}
+
+struct Mesh {
+  std::vector<vec3> points;
+  std::vector<vec3> normals;  // as many
+  std::vector<std::size_t> triangles;
+};
+
+std::string mesh_text(const Mesh& mesh) {
+  std::string text = fmt::format("   mesh2 {{\n      vertex_vectors {{ {},\n", mesh.points.size());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    append_separator(text, i);
+    append_standing_point(text, mesh.points[i]);
+  }
+  text += fmt::format(" }}\n      normal_vectors {{ {},\n", mesh.normals.size());
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    append_separator(text, i);
+    append_standing_point(text, rounded(mesh.normals[i]));
+  }
+  text += fmt::format(" }}\n      face_indices {{ {},\n", mesh.triangles.size() / 3);
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    append_separator(text, i / 3);
+    fmt::format_to(std::back_inserter(text), "<{}, {}, {}>", mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]);
+  }
+  return text + " }\n      inside_vector z\n   }\n";
+}
+
+}  // namespace
+
+std::string sheet_mesh(const glass::CrackSurface& surface) {
+  Mesh mesh{surface.left_mm, surface.normals, glass::closed_triangles(surface)};
+  mesh.points.insert(mesh.points.end(), surface.right_mm.begin(), surface.right_mm.end());
+  for (const vec3 normal : surface.normals) mesh.normals.push_back(-normal);
+  return mesh_text(mesh);
+}
+
+std::string shot_hole_mesh(const glass::ShotHole& shot_hole) {
+  Mesh mesh{shot_hole.wall_mm, shot_hole.normals, glass::closed_triangles(shot_hole)};
+  const std::vector<vec3> middles = glass::middles_mm(shot_hole);
+  // The ends are flat: rings of their own, with the normals of the faces of the pane.
+  const std::size_t wall = shot_hole.wall_mm.size();
+  for (std::size_t end = 0; end < 2; ++end) {
+    const vec3 normal{0.0, 0.0, end == 0 ? 1.0 : -1.0};
+    mesh.points.push_back(middles[end]);
+    mesh.normals.push_back(normal);
+  }
+  for (std::size_t end = 0; end < 2; ++end) {
+    const std::size_t from = end == 0 ? 0 : wall - shot_hole.points;
+    for (std::size_t k = 0; k < shot_hole.points; ++k) {
+      mesh.points.push_back(shot_hole.wall_mm[from + k]);
+      mesh.normals.push_back(mesh.normals[wall + end]);
+    }
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    if (mesh.triangles[i] < wall) continue;
+    const bool far = mesh.triangles[i] == wall + 1;
+    for (std::size_t k = 1; k < 3; ++k) {
+      mesh.triangles[i + k] =
+          wall + 2 + (far ? mesh.triangles[i + k] - (wall - shot_hole.points) + shot_hole.points : mesh.triangles[i + k]);
+    }
+  }
+  return mesh_text(mesh);
+}
+
+}  // namespace shatterpave::exporting::povray

@@ -33,25 +33,24 @@ enum class Stream : std::uint32_t {
   stone_place = 30,  // size, rotation and offset of a stone
   stone_missing = 31,
   stone_sink = 32,
-  stone_arris = 36,   // arris, crown and warp of a stone with a finish
-  stone_chip = 37,    // chance, place and size of a chip on a side
-  ground = 38,        // heights of the ground
-  debris = 40,        // crushed zone and other litter about an impact
-  ring_piece = 80,    // pieces of rings from radial to radial: whether, where, how bowed
-  branch = 81,        // where a crack branches, and how
-  radial_onset = 82,  // when a radial starts
-  dice_seed = 83,     // seed of a fragment of tempered glass
-  through = 84,       // whether a crack runs through laminated glass
+  stone_arris = 36,  // arris, crown and warp of a stone with a finish
+  stone_chip = 37,   // chance, place and size of a chip on a side
+  ground = 38,       // heights of the ground
+  debris = 40,       // crushed zone and other litter about an impact
   shard_chip = 60,
   shard_missing = 61,  // whether a shard leaves the pane
   shard_fallen = 62,   // whether one that left it lies about
   shard_throw = 63,    // how it leaves
-  debris = 40,         // crushed zone and other litter about an impact
   crack_tilt = 70,     // walls of a crack: lean,
   crack_curve = 71,    // bow,
   crack_opening = 72,  // width of the gap,
   crack_depth = 73,    // and how deep it is
   shot_hole = 74,      // flakes about the hole of a shot
+  ring_piece = 80,     // pieces of rings from radial to radial: whether, where, how bowed
+  branch = 81,         // where a crack branches, and how
+  radial_onset = 82,   // when a radial starts
+  dice_seed = 83,      // seed of a fragment of tempered glass
+  through = 84,        // whether a crack runs through laminated glass
 };
 
 // Identity of an element, made from what it *is*: its names and its places among its siblings, never from a running

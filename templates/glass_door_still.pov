@@ -69,10 +69,10 @@ union {
 texture {
    pigment {
       granite turbulence 0.3
-      color_map { [0 rgb <0.46, 0.42, 0.35>] [0.5 rgb <0.52, 0.48, 0.41>] [1 rgb <0.40, 0.36, 0.30>] }
+      color_map { [0 rgb <0.50, 0.44, 0.34>] [0.5 rgb <0.58, 0.52, 0.41>] [1 rgb <0.42, 0.37, 0.29>] }
       scale 0.6 * W
    }
-   normal { granite 0.12 scale 0.25 * W }
+   normal { granite 0.06 scale 0.4 * W }
    finish { ambient 0 diffuse 0.75 }
 }
 #declare Outside = W / 2 + Stile;
@@ -176,7 +176,7 @@ sphere {
    }
 #end
 // The sun high on the left, the globe in the hall, the window at its end: the light from behind is what cracks are seen by.
-Lamp(<-5.5, 7.0, -6.0>, <1.00, 0.94, 0.84> * 0.85, 0.5)
+Lamp(<-4.0, 5.5, -8.0>, <1.00, 0.90, 0.74> * 1.9, 0.5)
 Lamp(<-1.0, 1.75, 1.9>, <1.00, 0.78, 0.50> * 0.55, 0.15)
 Lamp(<0.1, 1.5, 4.4>, <0.80, 0.92, 1.00> * 0.75, 0.6)
 light_source { <4, 5, -7> * W, rgb <0.45, 0.55, 0.75> * 0.35 shadowless }

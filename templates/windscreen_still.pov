@@ -30,9 +30,9 @@ global_settings {
 
 #declare Lining =
 texture {
-   pigment { rgb <0.016, 0.016, 0.018> }
-   normal { granite 0.15 scale 0.006 * W }
-   finish { ambient 0 diffuse 0.6 specular 0.12 roughness 0.12 }
+   pigment { rgb <0.012, 0.012, 0.013> }
+   normal { granite 0.03 scale 0.02 * W }
+   finish { ambient 0 diffuse 0.5 specular 0.06 roughness 0.15 }
 }
 
 union {
@@ -54,9 +54,9 @@ camera {
 
 #declare Plastic =
 texture {
-   pigment { rgb <0.020, 0.020, 0.022> }
-   normal { granite 0.10 scale 0.003 * W }
-   finish { ambient 0 diffuse 0.55 specular 0.16 roughness 0.07 }
+   pigment { rgb <0.010, 0.010, 0.011> }
+   normal { granite 0.03 scale 0.02 * W }
+   finish { ambient 0 diffuse 0.5 specular 0.10 roughness 0.09 }
 }
 union {
    superellipsoid { <0.16, 0.5> scale <0.75, 0.060, 0.22> * W translate <0, -0.315, -0.11> * W }
@@ -101,27 +101,51 @@ sphere {
    finish { ambient 0 diffuse 0 emission 1 }
 }
 
-// A band of trees and houses on either side, soft at its upper edge, lower towards the vanishing point.
+// Trees and houses on either side, soft at their upper edge, lower towards the vanishing point.
+#declare Skyline_Length = 16;
 #macro Skyline(Side, Near, Seed)
    box {
       0, <1, 1, 0.001>
       pigment {
          function {
-            max(0, min(1, 8 * (y - 0.10 - 0.34 * x - 0.30 * (0.2 + x) * (f_noise3d(7 * x, Seed, 0.3) + 0.35 * f_noise3d(23 * x, Seed, 4)))))
+            max(0, min(1, (y - 0.0985 - 0.075 * Skyline_Length * x * (0.35 + 0.9 * f_noise3d(1.9 * Skyline_Length * x, Seed, 0.3)
+                                                                       + 0.35 * f_noise3d(8 * Skyline_Length * x, Seed, 4)))
+                          / (0.004 + 0.012 * Skyline_Length * x)))
          }
-         color_map { [0 rgb <0.016, 0.018, 0.020> transmit 0] [1 rgb <0.016, 0.018, 0.020> transmit 1] }
+         color_map { [0 rgb <0.014, 0.016, 0.020> transmit 0] [1 rgb <0.014, 0.016, 0.020> transmit 1] }
       }
       finish { ambient 0 diffuse 0 emission 1 }
       no_shadow
-      scale <6, 3.4, 1> * W
-      translate <0.25, -0.30, 0> * W
+      scale <Skyline_Length, 3.4, 1> * W
+      translate <0.06, -0.30, 0> * W
       scale <Side, 1, 1>
-      translate Near * W * z
+      translate <0.05, 0, Near> * W
    }
 #end
 #include "functions.inc"
 Skyline(1, 8.2, 3)
 Skyline(-1, 8.0, 17)
+
+// The lines of the road, as soft bands that run to the vanishing point.
+#macro Line(Left, Wide, From, To)
+   polygon {
+      5, <Left - Wide, From>, <Left + Wide, From>, <Left + Wide, To>, <Left - Wide, To>, <Left - Wide, From>
+      pigment {
+         function { min(1, pow((x - Left) / Wide, 2)) }
+         color_map { [0 rgb 0.10 transmit 0.2] [1 rgb 0.10 transmit 1] }
+      }
+      finish { ambient 0 diffuse 0 emission 1 }
+      no_shadow
+      scale W
+      rotate 90 * x
+      translate -0.55 * W * y
+   }
+#end
+#for (I, 0, 7)
+   Line(0.05, 0.06, 1.2 + 1.6 * I, 2.0 + 1.6 * I)
+#end
+Line(1.35, 0.08, 0.6, 16)
+Line(-1.35, 0.08, 0.6, 16)
 
 // Discs of even brightness with a slightly brighter rim, as a lens draws points out of focus.
 #macro Light_Disc(Place, Radius, Colour)

@@ -125,8 +125,8 @@ std::vector<CrackGroup> crack_groups(const BrokenPane& broken, const std::string
   }
   for (std::size_t i = 0; i < broken.surfaces.shot_holes.size(); ++i) {
     const glass::ShotHoleShape& shape = broken.surfaces.shot_holes[i].shape;
-    groups.push_back({fmt::format("{}_ShotHole_{}", prefix, i),
-                      fmt::format("Shatterpave_ShotHole({}, {}, {}, {}_Thickness)", standing_point({shape.centre_mm, 0.0}),
+    groups.push_back({fmt::format("{}_Shot_Hole_{}", prefix, i),
+                      fmt::format("Shatterpave_Shot_Hole({}, {}, {}, {}_Thickness)", standing_point({shape.centre_mm, 0.0}),
                                   number(shape.hole_radius_mm), number(shape.spall_radius_mm), prefix),
                       {shot_hole_mesh(broken.surfaces.shot_holes[i])}});
   }
@@ -179,7 +179,7 @@ std::vector<std::string> crack_lines(Body body) {
   }
   return {"   {0}_Cracks_0   the gaps alone, those of the first impact, without material; {0}_Cracks_1 those of the second …",
           "                  No two of them touch, so they may share one interior",
-          "   {0}_ShotHole_0   the air of the first hole that goes through, with the cone on its far side; {0}_ShotHole_1 … "
+          "   {0}_Shot_Hole_0   the air of the first hole that goes through, with the cone on its far side; {0}_Shot_Hole_1 … "
           "The two",
           "                  faces of the slab go on over a hole as a skin of 0.01 mm, of which only a faint reflection shows"};
 }

@@ -33,7 +33,7 @@ struct Wall {
   std::size_t radial = 0;
 };
 
-struct Sector {
+struct RingSector {
   double from = 0.0;
   double width = 0.0;
   Id piece;
@@ -52,7 +52,7 @@ bool crosses(const std::vector<vec2>& points, vec2 centre, double radius, double
   return false;
 }
 
-std::vector<Sector> sectors(const std::vector<std::vector<vec2>>& radials, vec2 centre, double radius, Id ring) {
+std::vector<RingSector> sectors(const std::vector<std::vector<vec2>>& radials, vec2 centre, double radius, Id ring) {
   std::vector<Wall> walls;
   for (std::size_t i = 0; i < radials.size(); ++i) {
     Wall wall{0.0, i};
@@ -61,7 +61,7 @@ std::vector<Sector> sectors(const std::vector<std::vector<vec2>>& radials, vec2 
   std::ranges::sort(walls, [](const Wall& a, const Wall& b) {
     return a.direction != b.direction ? a.direction < b.direction : a.radial < b.radial;
   });
-  std::vector<Sector> result;
+  std::vector<RingSector> result;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const bool last = i + 1 == walls.size();
     const double to = walls[last ? 0 : i + 1].direction + (last ? 2.0 * pi : 0.0);
@@ -78,7 +78,7 @@ class Laying {
       : pane_(pane), centre_(centre), seed_(seed), map_(map) {}
 
   // A piece in the sector, unless chance or what stands there forbids it.
-  void lay(const Sector& sector, double radius) {
+  void lay(const RingSector& sector, double radius) {
     const auto draw = [&](std::uint32_t number) { return uniform(seed_, {Stream::ring_piece, sector.piece, number}); };
     if (draw(0) < pane_.rings.interruption) return;
     const double bow = std::max(pane_.rings.bow * 2.0 * draw(1), 1.0 - widest_straight / (0.5 * sector.width));
@@ -141,7 +141,7 @@ std::vector<int> lay_ring_pieces(const Pane& pane, const RingCentre& centre, std
   double radius = pane.rings.first_radius_mm;
   for (int k = 0; k < pane.rings.count && radius < farthest; ++k, radius *= pane.rings.ratio) {
     const Id ring = centre.id.child("ring piece").child(static_cast<std::uint64_t>(k));
-    for (const Sector& sector : sectors(lines, centre.at_mm, radius, ring)) laying.lay(sector, radius);
+    for (const RingSector& sector : sectors(lines, centre.at_mm, radius, ring)) laying.lay(sector, radius);
   }
   return laying.arms();
 }

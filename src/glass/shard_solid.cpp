@@ -21,7 +21,7 @@ using geometry::LatticePoint;
 using geometry::Polygon;
 using geometry::Region;
 using geometry::Solid;
-using Ring = std::vector<LatticePoint>;
+using LatticeRing = std::vector<LatticePoint>;
 
 constexpr int old_slot = static_cast<int>(ShardSurface::old);
 constexpr int broken_slot = static_cast<int>(ShardSurface::broken);
@@ -91,7 +91,8 @@ std::vector<Polygon> bites(const ShardBlank& blank, const ShardRules& rules, Id 
 }
 
 // What bevel and chips leave of a face: strictly inside the outline, in one piece.
-std::optional<Ring> small_face(const ShardBlank& blank, const ShardRules& rules, double bevel_mm, Id face, std::uint64_t seed) {
+std::optional<LatticeRing> small_face(const ShardBlank& blank, const ShardRules& rules, double bevel_mm, Id face,
+                                      std::uint64_t seed) {
   if (bevel_mm <= 0.0 || !blank.region.holes.empty()) return std::nullopt;
   const auto largest = [](const std::vector<Region>& regions) {
     return std::ranges::max_element(regions, {}, [](const Region& region) { return geometry::area(region); });
@@ -108,7 +109,7 @@ std::optional<Ring> small_face(const ShardBlank& blank, const ShardRules& rules,
 // Builds the surface from rings, each of which is a run of vertices.
 class Surface {
  public:
-  std::size_t add(const Ring& ring, std::int64_t z) {
+  std::size_t add(const LatticeRing& ring, std::int64_t z) {
     const std::size_t first = solid_.vertices.size();
     for (const LatticePoint p : ring) solid_.vertices.push_back({p.x, p.y, z});
     return first;
@@ -128,7 +129,7 @@ class Surface {
     }
   }
   // A flat face, seen from the side to which it looks.
-  void face(std::span<const Ring> rings, std::size_t first, bool up) {
+  void face(std::span<const LatticeRing> rings, std::size_t first, bool up) {
     for (const auto& [a, b, c] : geometry::triangulation(rings)) cap_triangle({first + a, first + b, first + c}, up, old_slot);
   }
   void cap_triangle(std::array<std::size_t, 3> corners, bool up, int slot) {
@@ -145,12 +146,12 @@ class Surface {
 };
 
 // The bevel between the outline, whose vertices start at `outer`, and the small face, and that face.
-void add_bevelled_face(Surface& surface, const Ring& outline, std::size_t outer, const Ring& small, std::int64_t z, bool up,
-                       const std::vector<bool>& is_old) {
+void add_bevelled_face(Surface& surface, const LatticeRing& outline, std::size_t outer, const LatticeRing& small,
+                       std::int64_t z, bool up, const std::vector<bool>& is_old) {
   const std::size_t inner = surface.add(small, z);
   const std::size_t n = outline.size();
   const std::size_t m = small.size();
-  std::vector<Ring> ring{outline, Ring(small.rbegin(), small.rend())};
+  std::vector<LatticeRing> ring{outline, LatticeRing(small.rbegin(), small.rend())};
   const auto vertex = [&](std::size_t corner) { return corner < n ? outer + corner : inner + m - 1 - (corner - n); };
   for (const auto& corners : geometry::triangulation(ring)) {
     int slot = broken_slot;
@@ -167,24 +168,24 @@ void add_bevelled_face(Surface& surface, const Ring& outline, std::size_t outer,
 }  // namespace
 
 Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed) {
-  const std::vector<Ring> rings = geometry::lattice_rings(blank.region);
+  const std::vector<LatticeRing> rings = geometry::lattice_rings(blank.region);
   const double bevel_mm = std::min(rules.bevel_mm, most_bevel * blank.thickness_mm);
-  const std::optional<Ring> front = small_face(blank, rules, bevel_mm, blank.id.child("front"), seed);
-  const std::optional<Ring> back = small_face(blank, rules, bevel_mm, blank.id.child("back"), seed);
+  const std::optional<LatticeRing> front = small_face(blank, rules, bevel_mm, blank.id.child("front"), seed);
+  const std::optional<LatticeRing> back = small_face(blank, rules, bevel_mm, blank.id.child("back"), seed);
   const std::int64_t top = geometry::to_lattice(blank.thickness_mm);
   const std::int64_t depth = geometry::to_lattice(bevel_mm);
 
   // All rings at the lower ends of the walls, then all at the upper ends.
   Surface surface;
   std::size_t count = 0;
-  for (const Ring& ring : rings) count = surface.add(ring, back ? depth : 0) + ring.size();
-  for (const Ring& ring : rings) surface.add(ring, front ? top - depth : top);
+  for (const LatticeRing& ring : rings) count = surface.add(ring, back ? depth : 0) + ring.size();
+  for (const LatticeRing& ring : rings) surface.add(ring, front ? top - depth : top);
   std::size_t first = 0;
   for (const std::vector<bool>& is_old : blank.is_old) {
     surface.wall(first, count + first, is_old);
     first += is_old.size();
   }
-  const auto close = [&](const std::optional<Ring>& small, std::size_t at, std::int64_t z, bool up) {
+  const auto close = [&](const std::optional<LatticeRing>& small, std::size_t at, std::int64_t z, bool up) {
     if (small) {
       add_bevelled_face(surface, rings.front(), at, *small, z, up, blank.is_old.front());
     } else {

@@ -9,7 +9,6 @@ namespace shatterpave::measure {
 namespace {
 
 Verdict verdict_of(const Finding& finding) {
-  constexpr double unlimited = std::numeric_limits<double>::infinity();
   const bool two_sided = finding.low > -unlimited && finding.high < unlimited;
   if (finding.count == 0) return Verdict::open;
   if (two_sided && finding.error > 0.25 * (finding.high - finding.low)) return Verdict::open;

@@ -8,6 +8,9 @@
 
 namespace shatterpave::measure {
 
+// A range without a limit on one side ends here.
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+
 enum class Verdict {
   holds,
   fails,
@@ -19,8 +22,8 @@ struct Finding {
   std::string_view id;        // fixed: scripts may look for it
   std::string_view quantity;  // what it is, in words
   std::string_view unit;      // "mm", "°", "%", or empty
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
+  double low = -unlimited;
+  double high = unlimited;
   double figure = 0.0;
   double error = 0.0;        // standard error; 0 where it is not told
   std::size_t count = 0;     // of what the figure was made

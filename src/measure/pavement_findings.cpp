@@ -10,8 +10,6 @@ namespace shatterpave::measure {
 
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
-
 constexpr double most_misaligned_mean_deg = 1.5;
 constexpr double most_misaligned_p95_deg = 5.0;
 constexpr double least_four_sided = 98.0;  // %

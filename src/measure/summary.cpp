@@ -25,8 +25,6 @@ constexpr double least_held_ring_ends = 95.0;  // %
 constexpr double least_edge_angle_deg = 75.0;
 constexpr double least_square_edge_angles = 90.0;  // %
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
-
 double percentage(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }

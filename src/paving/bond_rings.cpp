@@ -18,7 +18,7 @@ namespace {
 
 // Stones are longer or shorter than asked by up to this part; by eye: it does not show beside joints.
 constexpr double most_off = 0.06;
-constexpr double same_place_mm = 0.01;
+constexpr double same_stop_mm = 0.01;
 
 struct Ring {
   double count = 3.0;  // whole
@@ -113,7 +113,7 @@ class Rings {
         stops.push_back(rings_[ring].start + i / count);
       }
     }
-    return {std::move(stops), same_place_mm / (2.0 * pi * std::max(radius(k), pitch_.y))};
+    return {std::move(stops), same_stop_mm / (2.0 * pi * std::max(radius(k), pitch_.y))};
   }
 
   Tile tile(std::size_t k, double from, double to, const Lines& lines) const {

@@ -45,10 +45,6 @@ constexpr double crowd = 0.6;
 constexpr double listed = 1.7;
 // A border mirrors particles within this distance of it, in pitches.
 constexpr double mirrored = 0.8;
-// A border runs along the rows if the sine of the angle between them is less: 12°.
-constexpr double along_sine = 0.2079;
-
-double largest(vec2 q) { return std::max(std::abs(q.x), std::abs(q.y)); }
 
 // The law of the bubble mesh; positive repels.
 double law(double r) { return r >= 1.5 ? 0.0 : (1.25 * r - 2.375) * r * r + 1.125; }

@@ -37,8 +37,6 @@ constexpr int sweeps = 10;
 constexpr double along_weight = 4.0;
 // Samples this near to a border, in pitches, are held to it.
 constexpr double held_pitches = 1.0;
-// A border runs along the rows if the sine of the angle between them is less: 12°.
-constexpr double along_sine = 0.2079;
 
 // The nearest whole number, halves to even, for |x| < 2^51: adding 1.5 · 2^52 leaves no room for a fraction. It is where most
 // of the time would go if it were a call.
@@ -216,8 +214,6 @@ struct Vote {
 
   vec2 mean() const { return sum / count; }
 };
-
-double largest(vec2 q) { return std::max(std::abs(q.x), std::abs(q.y)); }
 
 std::vector<Vote> gathered(const std::vector<Sample>& samples, vec2 pitch) {
   const double reach = 0.5 * std::max(pitch.x, pitch.y);

@@ -1,6 +1,7 @@
 // Where a packing starts: particles that already stand in rows and columns along the direction field.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -17,6 +18,12 @@ struct Frame {
   vec2 into(vec2 d) const { return {glm::dot(d, axis) / pitch.x, cross(axis, d) / pitch.y}; }
   vec2 out_of(vec2 q) const { return (q.x * pitch.x) * axis + (q.y * pitch.y) * left_of(axis); }
 };
+
+// How far away `q` is, in pitches, if it is in a frame: that of squares that do not overlap is 1 and more.
+inline double largest(vec2 q) { return std::max(std::abs(q.x), std::abs(q.y)); }
+
+// A border runs along the rows if the sine of the angle between them is less: 12°.
+inline constexpr double along_sine = 0.2079;
 
 // `axis`, turned by quarter or half turns (those of the field's symmetry) to be like `like`.
 inline vec2 turned_like(vec2 axis, vec2 like, bool is_cross) {

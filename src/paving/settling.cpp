@@ -34,8 +34,6 @@ constexpr double hold_weight = 0.5;
 constexpr double border_weight = 50.0;
 // Corners nearer to a border than this, in pitches, are taken to it.
 constexpr double border_reach = 0.25;
-// A border runs along the rows if the sine of the angle between them is less: 12°.
-constexpr double along_sine = 0.2079;
 // The corners of a cell that looks like a stone lie within this of its middle, in pitches; half is the plain case.
 constexpr double regular_reach = 1.0;
 // Shorter ones, in pitches, are no sides.

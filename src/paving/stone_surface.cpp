@@ -60,7 +60,7 @@ constexpr double shoulder_of_inset = 3.0 * top_of_single_patch / 2.25;
 constexpr double narrowest_shoulder = 0.06;  // fractions of the size; by eye: narrower ones look like cut edges,
 constexpr double widest_shoulder = 0.25;     // wider ones meet in the middle
 constexpr double least_shoulder = 0.03;      // below that, corners are left out until the shoulder is wider
-constexpr double used_of_feasible = 0.8;     // of the width at which the crown would lose a side
+constexpr double used_of_crown = 0.8;        // of the width at which the crown would lose a side
 
 struct Dome {
   vec2 centre{0.0, 0.0};
@@ -81,7 +81,7 @@ double feasible_shoulder(const Polygon& polygon) {
     const double length = glm::length(polygon[next] - polygon[i]);
     width = std::min({width, length / (on_outline(i) + on_outline(next)), length / (on_crown(i) + on_crown(next))});
   }
-  return used_of_feasible * width;
+  return used_of_crown * width;
 }
 
 // The ring of corner and side patches, and the crown, as the head of this file tells.

@@ -22,6 +22,9 @@ std::string input_text(const std::filesystem::path& file, std::size_t limit, con
 // Throws InputError at the first byte that is not UTF-8. `file` is the name for the message.
 void require_utf8(std::string_view text, const std::string& file);
 
+// Of the Latin alphabet, whatever the locale.
+inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 // Line and column of a byte of a text, from 1; the column counts characters (UTF-8).
 struct TextPosition {
   int line = 1;

@@ -11,7 +11,6 @@ namespace shatterpave::scene {
 
 namespace {
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_name_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; }
 
 // The one key of those that say where the outline comes from; "" for none.

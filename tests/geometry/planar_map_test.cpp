@@ -25,10 +25,11 @@ std::vector<std::int64_t> sorted_areas(const std::vector<Face>& faces) {
   return areas;
 }
 
-const std::vector<LatticePoint> square = {{0, 0}, {50, 0}, {100, 0}, {100, 100}, {50, 100}, {0, 100}, {0, 0}};
+const std::vector<LatticePoint> square_loop = {{0, 0}, {50, 0}, {100, 0}, {100, 100}, {50, 100}, {0, 100}, {0, 0}};
 
 TEST(PlanarMap, PartsASquareByACrackAndKeepsWhatEndsInsideAsSpurs) {
-  const std::vector<Segment> segments = segments_of({square, {{50, 0}, {40, 30}, {50, 100}}, {{40, 30}, {20, 30}, {10, 10}}});
+  const std::vector<Segment> segments =
+      segments_of({square_loop, {{50, 0}, {40, 30}, {50, 100}}, {{40, 30}, {20, 30}, {10, 10}}});
   const std::vector<Face> found = faces(segments);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(sorted_areas(found), (std::vector<std::int64_t>{9000, 11000}));
@@ -41,7 +42,7 @@ TEST(PlanarMap, PartsASquareByACrackAndKeepsWhatEndsInsideAsSpurs) {
 
 // A loop in the middle with an arm into it, one out of it, and a crack alone: hole, face, and spurs of the right one.
 TEST(PlanarMap, FindsHolesAndWhatFloatsInThem) {
-  const std::vector<Segment> segments = segments_of({square,
+  const std::vector<Segment> segments = segments_of({square_loop,
                                                      {{30, 30}, {60, 30}, {60, 60}, {30, 60}, {30, 30}},
                                                      {{30, 30}, {40, 40}},
                                                      {{60, 60}, {70, 70}},
@@ -61,14 +62,14 @@ TEST(PlanarMap, FindsHolesAndWhatFloatsInThem) {
 
 // A bridge leads to a loop: with the bridge on both sides the face would not be a region.
 TEST(PlanarMap, CutsBridgesToHoles) {
-  const std::vector<Face> found = faces(segments_of({square, {{50, 0}, {50, 30}, {40, 50}, {60, 50}, {50, 30}}}));
+  const std::vector<Face> found = faces(segments_of({square_loop, {{50, 0}, {50, 30}, {40, 50}, {60, 50}, {50, 30}}}));
   EXPECT_EQ(sorted_areas(found), (std::vector<std::int64_t>{400, 19600}));
   for (const Face& face : found) EXPECT_EQ(face.spurs.size(), face.holes.size());
 }
 
 // A loop that touches the border in one point, which the walk about the face comes to twice.
 TEST(PlanarMap, PartsRingsThatTouchInAPoint) {
-  const std::vector<Face> found = faces(segments_of({square, {{50, 0}, {60, 20}, {40, 20}, {50, 0}}}));
+  const std::vector<Face> found = faces(segments_of({square_loop, {{50, 0}, {60, 20}, {40, 20}, {50, 0}}}));
   EXPECT_EQ(sorted_areas(found), (std::vector<std::int64_t>{400, 19600}));
   for (const Face& face : found) {
     std::vector<LatticePoint> vertices;

@@ -67,7 +67,7 @@ bool oracle_contains(const Polygon& polygon, vec2 p) {
   return std::abs(turns) > 0.5;
 }
 
-const Polygon square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+const Polygon small_square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
 // Pick's theorem: area = inner points + half the border points - 1, in units of the lattice. Exact, and it binds area and
 // contains together.
@@ -107,15 +107,15 @@ TEST(Polygon, ContainsAgreesWithTheSumOfAngles) {
 }
 
 TEST(Polygon, AreaIsSignedAndSmallFarFromTheOrigin) {
-  EXPECT_EQ(area(square), 16.0);
-  EXPECT_EQ(area(Polygon(square.rbegin(), square.rend())), -16.0);
-  Polygon far = square;
+  EXPECT_EQ(area(small_square), 16.0);
+  EXPECT_EQ(area(Polygon(small_square.rbegin(), small_square.rend())), -16.0);
+  Polygon far = small_square;
   for (vec2& vertex : far) vertex = 0.001 * vertex + vec2{999000.0, -999000.0};
   EXPECT_NEAR(area(far), 16e-6, 1e-12);
 }
 
 TEST(Polygon, CentroidAndBox) {
-  EXPECT_EQ(centroid(square), (vec2{2.0, 2.0}));
+  EXPECT_EQ(centroid(small_square), (vec2{2.0, 2.0}));
   EXPECT_EQ(centroid({{0, 0}, {3, 0}, {0, 6}}), (vec2{1.0, 2.0}));
   // An L of three unit squares: the mean of their centres, in either winding.
   const Polygon corner = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
@@ -128,7 +128,7 @@ TEST(Polygon, CentroidAndBox) {
 }
 
 TEST(Region, LeavesOutTheInsideOfItsHoles) {
-  const Region region{square, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}};
+  const Region region{small_square, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}};
   EXPECT_EQ(area(region), 15.0);
   EXPECT_TRUE(contains(region, {0.5, 0.5}));
   EXPECT_TRUE(contains(region, {1.0, 1.5})) << "the border of a hole belongs to the region";

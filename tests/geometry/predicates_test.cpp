@@ -25,13 +25,13 @@ struct Fraction {
   std::int64_t scaled() const { return denominator < 0 ? -numerator : numerator; }
 };
 
-std::int64_t drawn(std::uint32_t i, std::uint64_t which, std::int64_t low, std::int64_t high) {
+std::int64_t drawn_number(std::uint32_t i, std::uint64_t which, std::int64_t low, std::int64_t high) {
   const double u = uniform(2, {Stream::turn, Id("coordinate").child(which), i});
   return low + static_cast<std::int64_t>(u * static_cast<double>(high - low + 1));
 }
 
 LatticePoint drawn_point(std::uint32_t i, std::uint64_t which, std::int64_t largest) {
-  return {drawn(i, 2 * which, -largest, largest), drawn(i, 2 * which + 1, -largest, largest)};
+  return {drawn_number(i, 2 * which, -largest, largest), drawn_number(i, 2 * which + 1, -largest, largest)};
 }
 
 // The sign of the determinant, in whole numbers of any length.
@@ -76,9 +76,9 @@ TEST(Predicates, SideOfFarAndNearlyStraightPointsIsExact) {
   for (std::uint32_t i = 0; i < 20000; ++i) {
     const LatticePoint a = drawn_point(i, 0, largest);
     // b and c on a line through a in whole steps, then c moved by at most one unit.
-    const LatticePoint step = {drawn(i, 2, -largest / 4, largest / 4), drawn(i, 3, -largest / 4, largest / 4)};
+    const LatticePoint step = {drawn_number(i, 2, -largest / 4, largest / 4), drawn_number(i, 3, -largest / 4, largest / 4)};
     const LatticePoint b{a.x + step.x, a.y + step.y};
-    const LatticePoint c{a.x + 3 * step.x + drawn(i, 4, -1, 1), a.y + 3 * step.y + drawn(i, 5, -1, 1)};
+    const LatticePoint c{a.x + 3 * step.x + drawn_number(i, 4, -1, 1), a.y + 3 * step.y + drawn_number(i, 5, -1, 1)};
     ASSERT_EQ(side(a, b, c), oracle_side(a, b, c));
     ++sides[static_cast<std::size_t>(static_cast<std::int64_t>(side(a, b, c)) + 1)];
   }

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = RegionFault::Kind;
 
-const Polygon square = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+const Polygon plain_square = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
 
 Polygon reversed(Polygon ring) {
   std::ranges::reverse(ring);
@@ -50,7 +50,7 @@ TEST_P(RegionFaults, AreFoundWhateverTheWinding) {
 }
 
 const std::vector<Case> cases = {
-    {"square", square, {}, {}},
+    {"plain_square", plain_square, {}, {}},
     {"bow_tie", {{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {}, RegionFault{Kind::crossing, {0, 0}, {0, 2}, {5, 5}}},
     {"spike", {{0, 0}, {10, 0}, {20, 0}, {10, 0}, {10, 10}}, {}, RegionFault{Kind::touch, {0, 0}, {0, 2}, {10, 0}}},
     {"flat", {{0, 0}, {10, 0}, {5, 0}}, {}, RegionFault{Kind::overlap, {0, 0}, {0, 2}, {0, 0}}},
@@ -60,23 +60,23 @@ const std::vector<Case> cases = {
      {},
      RegionFault{Kind::touch, {0, 0}, {0, 3}, {5, 5}}},
     {"collinear_vertices", {{0, 0}, {5, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 5}}, {}, {}},
-    {"hole", square, {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}}, {}},
-    {"hole_touching_outline", square, {{{0, 5}, {4, 4}, {4, 6}}}, {}},
-    {"hole_corner_on_corner", square, {{{0, 0}, {4, 1}, {1, 4}}}, {}},
-    {"holes_touching", square, {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}, {{4, 4}, {6, 4}, {6, 6}}}, {}},
-    {"hole_across", square, {{{5, 5}, {15, 4}, {15, 6}}}, RegionFault{Kind::crossing, {0, 1}, {1, 0}, {10, 4.5}}},
-    {"hole_along_outline", square, {{{2, 0}, {4, 0}, {4, 4}}}, RegionFault{Kind::overlap, {0, 0}, {1, 0}, {2, 0}}},
-    {"hole_outside", square, {{{12, 2}, {14, 2}, {14, 4}}}, RegionFault{Kind::hole_outside, {1, 0}, {1, 0}, {12, 2}}},
+    {"hole", plain_square, {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}}, {}},
+    {"hole_touching_outline", plain_square, {{{0, 5}, {4, 4}, {4, 6}}}, {}},
+    {"hole_corner_on_corner", plain_square, {{{0, 0}, {4, 1}, {1, 4}}}, {}},
+    {"holes_touching", plain_square, {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}, {{4, 4}, {6, 4}, {6, 6}}}, {}},
+    {"hole_across", plain_square, {{{5, 5}, {15, 4}, {15, 6}}}, RegionFault{Kind::crossing, {0, 1}, {1, 0}, {10, 4.5}}},
+    {"hole_along_outline", plain_square, {{{2, 0}, {4, 0}, {4, 4}}}, RegionFault{Kind::overlap, {0, 0}, {1, 0}, {2, 0}}},
+    {"hole_outside", plain_square, {{{12, 2}, {14, 2}, {14, 4}}}, RegionFault{Kind::hole_outside, {1, 0}, {1, 0}, {12, 2}}},
     {"hole_about_outline",
-     square,
+     plain_square,
      {{{-1, -1}, {20, -1}, {20, 20}, {-1, 20}}},
      RegionFault{Kind::hole_outside, {1, 0}, {1, 0}, {-1, -1}}},
     {"hole_in_hole",
-     square,
+     plain_square,
      {{{1, 1}, {9, 1}, {9, 9}, {1, 9}}, {{3, 3}, {5, 3}, {5, 5}}},
      RegionFault{Kind::holes_overlap, {2, 0}, {2, 0}, {3, 3}}},
     {"same_hole_twice",
-     square,
+     plain_square,
      {{{2, 2}, {4, 2}, {4, 4}}, {{2, 2}, {4, 2}, {4, 4}}},
      RegionFault{Kind::overlap, {1, 0}, {2, 0}, {2, 2}}},
     // No two edges cross here: the hole leaves the outline through its corner.
@@ -208,10 +208,10 @@ TEST(RegionFault, TakesNearlyLinearTimeForZigzags) {
 
 TEST(OrientedRegion, TurnsOutlineLeftAndHolesRight) {
   const Polygon hole = {{2, 2}, {4, 2}, {4, 4}};
-  const Region region = oriented_region(reversed(square), {hole});
+  const Region region = oriented_region(reversed(plain_square), {hole});
   EXPECT_GT(area(region.outline), 0.0);
   EXPECT_LT(area(region.holes[0]), 0.0);
-  EXPECT_EQ(region.outline.front(), reversed(square).front());
+  EXPECT_EQ(region.outline.front(), reversed(plain_square).front());
 }
 
 }  // namespace

@@ -15,12 +15,12 @@ namespace {
 
 using geometry::LatticePoint;
 
-const geometry::Polygon square = {{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}, {0.0, 10.0}};
+const geometry::Polygon square_pane_mm = {{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}, {0.0, 10.0}};
 
 int started(CrackMap& map, LatticePoint at) { return map.start(map.add_hub(at), CrackKind::large, 0, CrackEnd::At::impact); }
 
 TEST(CrackMap, GoesOnWhereNothingIsInTheWay) {
-  CrackMap map(square, 1.0);
+  CrackMap map(square_pane_mm, 1.0);
   const int crack = started(map, {5000, 5000});
   EXPECT_FALSE(map.extend(crack, {7000, 6000}).has_value());
   EXPECT_EQ(map.tip(crack), (LatticePoint{7000, 6000}));
@@ -28,7 +28,7 @@ TEST(CrackMap, GoesOnWhereNothingIsInTheWay) {
 }
 
 TEST(CrackMap, EndsOnTheEdge) {
-  CrackMap map(square, 1.0);
+  CrackMap map(square_pane_mm, 1.0);
   const int crack = started(map, {5000, 5000});
   const auto arrest = map.extend(crack, {15000, 8000});
   ASSERT_TRUE(arrest.has_value());
@@ -50,7 +50,7 @@ TEST(CrackMap, EndsOnASlantedEdgeWithinAMicrometreAndNotOutside) {
 }
 
 TEST(CrackMap, EndsInAVertexThatTheOtherCrackGets) {
-  CrackMap map(square, 1.0);
+  CrackMap map(square_pane_mm, 1.0);
   const int first = started(map, {1000, 1000});
   map.extend(first, {8000, 4000});
   const int second = started(map, {5000, 1000});
@@ -64,7 +64,7 @@ TEST(CrackMap, EndsInAVertexThatTheOtherCrackGets) {
 }
 
 TEST(CrackMap, StopsACrackWhoseTipIsMet) {
-  CrackMap map(square, 1.0);
+  CrackMap map(square_pane_mm, 1.0);
   const int first = started(map, {1000, 1000});
   map.extend(first, {5000, 5000});
   const int second = started(map, {9000, 5000});
@@ -76,7 +76,7 @@ TEST(CrackMap, StopsACrackWhoseTipIsMet) {
 
 // A triangle of two radials and a ring crack between them: closed when the ring's second arm ends.
 TEST(CrackMap, TellsTheRegionThatTheLastCrackCloses) {
-  CrackMap map(square, 1.0);
+  CrackMap map(square_pane_mm, 1.0);
   const CrackMap::Hub impact = map.add_hub({1000, 1000});
   const int right = map.start(impact, CrackKind::large, 0, CrackEnd::At::impact);
   const int up = map.start(impact, CrackKind::large, 0, CrackEnd::At::impact);
@@ -100,7 +100,7 @@ TEST(CrackMap, TellsTheRegionThatTheLastCrackCloses) {
 
 // The edge is no crack, but two cracks that end in one point of it surround what lies between them.
 TEST(CrackMap, CracksThatEndInOnePointOfTheEdgeCloseARegion) {
-  CrackMap map(square, 1.0);
+  CrackMap map(square_pane_mm, 1.0);
   const CrackMap::Hub impact = map.add_hub({5000, 5000});
   const int straight = map.start(impact, CrackKind::large, 0, CrackEnd::At::impact);
   const int bent = map.start(impact, CrackKind::large, 0, CrackEnd::At::impact);
@@ -118,7 +118,7 @@ TEST(CrackMap, CracksThatEndInOnePointOfTheEdgeCloseARegion) {
 }
 
 TEST(CrackMap, AnImpactOnACrackBecomesAVertexOfIt) {
-  CrackMap map(square, 1.0);
+  CrackMap map(square_pane_mm, 1.0);
   const int first = started(map, {1000, 1000});
   map.extend(first, {9000, 5000});
   EXPECT_TRUE(map.is_taken({5000, 3000}));
@@ -129,7 +129,7 @@ TEST(CrackMap, AnImpactOnACrackBecomesAVertexOfIt) {
 }
 
 TEST(CrackMap, EndsOpenWhereItTurnsBackOverItself) {
-  CrackMap map(square, 1.0);
+  CrackMap map(square_pane_mm, 1.0);
   const int crack = started(map, {5000, 5000});
   map.extend(crack, {7000, 5000});
   const auto arrest = map.extend(crack, {4000, 5000});
@@ -139,7 +139,7 @@ TEST(CrackMap, EndsOpenWhereItTurnsBackOverItself) {
 }
 
 TEST(CrackMap, LeadsNoCrackThroughAVertexOfAnother) {
-  CrackMap map(square, 1.0);
+  CrackMap map(square_pane_mm, 1.0);
   const int met = started(map, {1000, 1000});
   map.extend(met, {2000, 1017});  // at x = 1.1 mm it is 0.3 µm below the lowest vertex of the next
   const int hanging = started(map, {1050, 1900});
@@ -150,11 +150,11 @@ TEST(CrackMap, LeadsNoCrackThroughAVertexOfAnother) {
   const std::vector<ImpactCounts> impacts = {{{1.0, 1.0}}, {{1.05, 1.9}}, {{1.1, 0.5}}};
   std::vector<Crack> cracks = map.cracks();
   for (Crack& crack : cracks) crack.impact = crack.id;
-  EXPECT_EQ(faults({impacts, cracks}, square), std::vector<std::string>{});
+  EXPECT_EQ(faults({impacts, cracks}, square_pane_mm), std::vector<std::string>{});
 }
 
 TEST(CrackMap, LeadsNoCrackAlongTheEdgeAndOn) {
-  CrackMap map(square, 1.0);
+  CrackMap map(square_pane_mm, 1.0);
   const int met = started(map, {1, 5000});  // 1 µm beside the edge
   map.extend(met, {1, 6000});
   map.extend(met, {0, 7000});
@@ -162,7 +162,7 @@ TEST(CrackMap, LeadsNoCrackAlongTheEdgeAndOn) {
   ASSERT_TRUE(map.extend(arriving, {-3000, 6600}).has_value());
   std::vector<Crack> cracks = map.cracks();
   for (Crack& crack : cracks) crack.impact = crack.id;
-  EXPECT_EQ(faults({{{{0.001, 5.0}}, {{3.0, 6.6}}}, cracks}, square), std::vector<std::string>{});
+  EXPECT_EQ(faults({{{{0.001, 5.0}}, {{3.0, 6.6}}}, cracks}, square_pane_mm), std::vector<std::string>{});
 }
 
 // Sixty cracks from 1 µm beside a corner that points inwards, where they crowd one another off the few points of the lattice.

@@ -15,8 +15,6 @@
 namespace shatterpave::glass {
 namespace {
 
-const std::vector<std::string> nothing;
-
 Pane tempered_pane(vec2 size_mm, double thickness_mm) {
   Pane pane;
   pane.name = "door";

@@ -13,8 +13,6 @@
 namespace shatterpave::glass {
 namespace {
 
-const std::vector<std::string> nothing;
-
 Pane real_pane(int radial_count = 60) {
   Pane pane;
   pane.name = "window";

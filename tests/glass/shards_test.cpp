@@ -139,7 +139,8 @@ WideVolume twelvefold_volume_by_sections(const Solid& solid) {
       for (std::size_t i = 0; i < 3; ++i) p[i] = solid.vertices[triangle.corners[i]];
       const auto [least, most] = std::ranges::minmax_element(p, {}, &geometry::LatticePoint3::z);
       if (least->z != z0 || most->z != z1) continue;
-      while ((p[0].z == p[1].z) || (p[0].z == p[2].z)) std::ranges::rotate(p, p.begin() + 1);  // p[0] is alone on its level
+      while ((p[0].z == p[1].z) || (p[0].z == p[2].z))
+        std::rotate(p.begin(), p.begin() + 1, p.end());  // p[0] is alone on its level
       const auto section = [&](int halves) {
         const int own = p[0].z == z0 ? 2 - halves : halves;
         const auto at = [&](std::size_t i) {

@@ -10,8 +10,6 @@
 namespace shatterpave::glass {
 namespace {
 
-const std::vector<std::string> nothing;
-
 // Ends of cracks in the odd panes, by how they ended: each kind is to be there in numbers.
 TEST(Topology, HoldsInOddPanes) {
   std::map<CrackEnd::At, int> ends;

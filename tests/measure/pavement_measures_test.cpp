@@ -28,7 +28,7 @@ Pavement annulus(double stone_mm) {
   return paving::pavement(paving::quarter_annulus(), stone_mm, 8, paving::RadialDirection{});
 }
 
-LayoutMeasures measured(const Pavement& pavement, const StoneLayout& layout) {
+LayoutMeasures as_laid(const Pavement& pavement, const StoneLayout& layout) {
   return measure::measured(pavement, layout, layout);
 }
 
@@ -44,7 +44,7 @@ using Ids = std::vector<std::string>;
 
 TEST(PavementMeasures, OfPlainRowsAreExact) {
   const Pavement path = small_path();
-  const LayoutMeasures measures = measured(path, paving::laid_stones(path, 1));
+  const LayoutMeasures measures = as_laid(path, paving::laid_stones(path, 1));
   const LayoutFigures& f = measures.figures;
   EXPECT_EQ(f.stones, 12U);
   EXPECT_EQ(f.whole, 12U);
@@ -69,7 +69,7 @@ TEST(PavementMeasures, TellWhatIsOffByHowMuch) {
   StoneLayout layout = paving::laid_stones(path, 1);
   // The first stone, half as high, and its right side leaning by 0.1: 5.71° over 50.249 mm of 305.249 mm.
   layout.stones[0].outline_mm = {{4, 4}, {99, 4}, {104, 54}, {4, 54}};
-  const LayoutMeasures measures = measured(path, layout);
+  const LayoutMeasures measures = as_laid(path, layout);
   const StoneMeasures& first = measures.stones[0];
   EXPECT_NEAR(first.area_ratio, 0.4875, 1e-12);
   const double lean = std::sqrt(50.0 * 50.0 + 5.0 * 5.0);
@@ -89,14 +89,14 @@ class GoodLayout : public testing::Test {
   const StoneLayout layout = paving::laid_stones(paved, 7);
 };
 
-TEST_F(GoodLayout, HoldsInAll) { EXPECT_EQ(failing(paved, measured(paved, layout).figures), Ids{}); }
+TEST_F(GoodLayout, HoldsInAll) { EXPECT_EQ(failing(paved, as_laid(paved, layout).figures), Ids{}); }
 
 TEST_F(GoodLayout, IsRejectedWithOneStoneRemoved) {
   for (const std::size_t s : {std::size_t{0}, layout.stones.size() / 2, layout.stones.size() - 1}) {
     StoneLayout other = layout;
     const vec2 middle = geometry::centroid(other.stones[s].outline_mm);
     other.stones.erase(other.stones.begin() + static_cast<std::ptrdiff_t>(s));
-    const LayoutMeasures measures = measured(paved, other);
+    const LayoutMeasures measures = as_laid(paved, other);
     EXPECT_EQ(failing(paved, measures.figures), Ids{"holes"});
     ASSERT_EQ(measures.holes_mm.size(), 1U);
     EXPECT_LT(glm::length(measures.holes_mm[0] - middle), 10.0);
@@ -107,7 +107,7 @@ TEST_F(GoodLayout, IsRejectedWithJointsWiderByATwentieth) {
   Pavement wider = paved;
   wider.joint_mm *= 1.05;
   // What stones grown by half the asked joint leave open is then 2 · 0.4 mm of each 97 mm.
-  EXPECT_EQ(failing(paved, measured(paved, paving::laid_stones(wider, 7)).figures), (Ids{"coverage", "joint_median"}));
+  EXPECT_EQ(failing(paved, as_laid(paved, paving::laid_stones(wider, 7)).figures), (Ids{"coverage", "joint_median"}));
 }
 
 TEST_F(GoodLayout, IsRejectedWithTheFieldTurnedByThreeDegrees) {
@@ -116,15 +116,15 @@ TEST_F(GoodLayout, IsRejectedWithTheFieldTurnedByThreeDegrees) {
     const vec2 middle = geometry::centroid(stone.outline_mm);
     for (vec2& p : stone.outline_mm) p = geometry::on_lattice(middle + rotated(p - middle, Angle::degrees(3.0)));
   }
-  const LayoutFigures figures = measured(paved, turned).figures;
+  const LayoutFigures figures = as_laid(paved, turned).figures;
   EXPECT_NEAR(figures.misaligned_mean_deg, 3.0, 0.5);
   const Ids ids = failing(paved, figures);
   EXPECT_NE(std::ranges::find(ids, "alignment_mean"), ids.end());
   // A constant field, laid anew: nothing else is wrong with it.
   const Pavement straight = paving::pavement(paving::concave_area(), 100, 8, paving::ConstantDirection{Angle::degrees(20)});
   const Pavement other = paving::pavement(paving::concave_area(), 100, 8, paving::ConstantDirection{Angle::degrees(23)});
-  EXPECT_EQ(failing(straight, measured(straight, paving::laid_stones(straight, 1)).figures), Ids{});
-  EXPECT_EQ(failing(straight, measured(straight, paving::laid_stones(other, 1)).figures), Ids{"alignment_mean"});
+  EXPECT_EQ(failing(straight, as_laid(straight, paving::laid_stones(straight, 1)).figures), Ids{});
+  EXPECT_EQ(failing(straight, as_laid(straight, paving::laid_stones(other, 1)).figures), Ids{"alignment_mean"});
 }
 
 TEST(PavementMeasures, TakeStonesLeftOutOnPurposeForNoHoles) {
@@ -152,7 +152,7 @@ TEST(PavementMeasures, AskOfEachBondWhatItCanGive) {
     paved.bonding.bond = bond;
     paved.bonding.turn = Angle::degrees(turn_deg);
     const StoneLayout layout = paving::laid_stones(paved, 1);
-    return measured(paved, layout).figures;
+    return as_laid(paved, layout).figures;
   };
   using paving::Bond;
   for (const Bond bond : {Bond::running, Bond::stack, Bond::herringbone, Bond::basket_weave, Bond::ashlar}) {
@@ -176,7 +176,7 @@ TEST(PavementMeasures, AreTheSameWithAnyNumberOfThreads) {
   std::vector<LayoutMeasures> all;
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
-    all.push_back(measured(paved, layout));
+    all.push_back(as_laid(paved, layout));
   }
   for (const LayoutMeasures& other : all) {
     EXPECT_EQ(other.figures.covered_percent, all[0].figures.covered_percent);
@@ -189,7 +189,7 @@ TEST(PavementMeasures, AreTheSameWithAnyNumberOfThreads) {
 
 TEST(PavementFindings, AreOfTheWorstSeed) {
   const Pavement paved = small_path();
-  std::vector<LayoutFigures> layouts(3, measured(paved, paving::laid_stones(paved, 1)).figures);
+  std::vector<LayoutFigures> layouts(3, as_laid(paved, paving::laid_stones(paved, 1)).figures);
   layouts[1].holes = 2;
   layouts[2].joint_median_percent = 96.0;
   const std::vector<Finding> findings = pavement_findings(paved, layouts);

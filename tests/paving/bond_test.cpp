@@ -20,8 +20,6 @@ namespace {
 
 const Direction level = ConstantDirection{};
 
-Direction straight(double degrees) { return ConstantDirection{Angle::degrees(degrees)}; }
-
 geometry::Region rectangle(double width, double height) { return {{{0, 0}, {width, 0}, {width, height}, {0, height}}, {}}; }
 
 Pavement bonded(Bond bond, vec2 stone_mm, double joint_mm, geometry::Region area, Direction direction = level) {

@@ -16,8 +16,6 @@
 namespace shatterpave::paving {
 namespace {
 
-Direction straight(double degrees) { return ConstantDirection{Angle::degrees(degrees)}; }
-
 TEST(Laying, WholeStonesOfAStraightPathAreExact) {
   // 432 = 4 pitches of 108, so all twelve stones are whole, and 4 mm, half a joint, stay free along the outline.
   const geometry::Region area{{{0, 0}, {432, 0}, {432, 324}, {0, 324}}, {}};

@@ -17,4 +17,7 @@ geometry::Polygon circle(vec2 centre, double radius_mm, int corners);
 
 Pavement pavement(geometry::Region area, double stone_mm, double joint_mm, Direction direction);
 
+// Rows along x, turned by `degrees`.
+inline Direction straight(double degrees) { return ConstantDirection{Angle::degrees(degrees)}; }
+
 }  // namespace shatterpave::paving

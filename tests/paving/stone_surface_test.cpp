@@ -15,7 +15,7 @@ namespace {
 using geometry::BezierPatch;
 using geometry::Polygon;
 
-const Polygon square = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+const Polygon square_stone = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
 const Polygon cell_of_an_l = {{0, 0}, {100, 0}, {100, 100}, {60, 100}, {60, 50}, {0, 50}};
 
 StoneDraws plain_draws() {
@@ -26,7 +26,7 @@ StoneDraws plain_draws() {
 }
 
 TEST(StoneSurface, FourCornersAreOnePatchOfThePaper) {
-  const std::vector<BezierPatch> patches = surface_patches(square, plain_draws());
+  const std::vector<BezierPatch> patches = surface_patches(square_stone, plain_draws());
   ASSERT_EQ(patches.size(), 1U);
   const BezierPatch& patch = patches[0];
   EXPECT_EQ(patch.at(0, 0), vec3(0, 0, 0));
@@ -43,7 +43,7 @@ TEST(StoneSurface, FourCornersAreOnePatchOfThePaper) {
 TEST(StoneSurface, TiltRaisesOneSideOnly) {
   StoneDraws draws = plain_draws();
   draws.slope = {0.01, 0.0};
-  const BezierPatch patch = surface_patches(square, draws).front();
+  const BezierPatch patch = surface_patches(square_stone, draws).front();
   EXPECT_NEAR(patch.at(2, 1).z, 18.4, 1e-12);
   EXPECT_NEAR(patch.at(1, 1).z, 17.6, 1e-12);
   EXPECT_EQ(patch.at(0, 1).z, 0.0);
@@ -51,8 +51,8 @@ TEST(StoneSurface, TiltRaisesOneSideOnly) {
 
 TEST(StoneSurface, VerticesOnASideAreNoCorners) {
   const Polygon with_middle = {{0, 0}, {50, 0.2}, {100, 0}, {100, 100}, {40, 100}, {0, 100}};
-  EXPECT_EQ(corners(with_middle, 1.0), square);
-  EXPECT_EQ(surface_patches(with_middle, plain_draws()), surface_patches(square, plain_draws()));
+  EXPECT_EQ(corners(with_middle, 1.0), square_stone);
+  EXPECT_EQ(surface_patches(with_middle, plain_draws()), surface_patches(square_stone, plain_draws()));
 }
 
 TEST(StoneSurface, SplitStonesMeetSmoothly) {
@@ -103,7 +103,7 @@ double area_from_above(const std::vector<BezierPatch>& patches) {
 }
 
 TEST(StoneSurface, CoversTheStoneOnce) {
-  std::vector<Polygon> outlines = {square, cell_of_an_l};
+  std::vector<Polygon> outlines = {square_stone, cell_of_an_l};
   for (std::uint64_t number = 0; number < 30; ++number) {
     for (const int count : {3, 4, 5, 6, 8}) outlines.push_back(uneven(count, number));
   }
@@ -140,7 +140,7 @@ TEST(StoneSurface, BorderIsHiddenByTheBed) {
     }
   }
   // The visible joint: where the single patch rises through the bed, at most a millimetre from the outline.
-  const BezierPatch patch = surface_patches(square, plain_draws()).front();
+  const BezierPatch patch = surface_patches(square_stone, plain_draws()).front();
   double u = 0.0;
   while (point(patch, u, 0.5).z < bed_level_mm(surface)) u += 1e-4;
   EXPECT_LT(point(patch, u, 0.5).x, 1.0);

@@ -20,13 +20,13 @@ struct Case {
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 // A pane from its third line on, and a pavement.
-std::string pane(const std::string& lines) {
+std::string of_pane(const std::string& lines) {
   return "[[pane]]\nname = \"window\"\n" + lines + "\n[[pane.impact]]\nat_mm = [150, 150]\n";
 }
 std::string impact(const std::string& lines) {
   return "[[pane]]\nname = \"w\"\nsize_mm = [300, 300]\n[[pane.impact]]\n" + lines + "\n";
 }
-std::string path(const std::string& lines) { return "[[pavement]]\nname = \"path\"\n" + lines + "\n"; }
+std::string of_path(const std::string& lines) { return "[[pavement]]\nname = \"path\"\n" + lines + "\n"; }
 
 const std::string sized = "size_mm = [300, 300]\n";
 
@@ -49,71 +49,72 @@ const std::vector<Case> cases = {
     {"deep_arrays", "seed = " + nested("[", 100'000), ""},
     {"deep_tables", nested("a.", 100'000) + "a = 1\n", "s.toml:1:130: expected at most 64 dots in a row of words, got more"},
     // Keys.
-    {"unknown_key", "sed = 3\n" + pane(sized), "s.toml:1:1: sed: unknown key; did you mean seed?"},
-    {"unknown_section", pane(sized) + "[[pavment]]\n", "s.toml:7:3: pavment: unknown key; did you mean pavement?"},
-    {"unknown_nested_key", pane(sized + "  thicknes_mm = 3"),
+    {"unknown_key", "sed = 3\n" + of_pane(sized), "s.toml:1:1: sed: unknown key; did you mean seed?"},
+    {"unknown_section", of_pane(sized) + "[[pavment]]\n", "s.toml:7:3: pavment: unknown key; did you mean pavement?"},
+    {"unknown_nested_key", of_pane(sized + "  thicknes_mm = 3"),
      "s.toml:4:3: pane[0].thicknes_mm: unknown key; did you mean thickness_mm?"},
-    {"unknown_glass", pane(sized + "glass = \"float\""),
+    {"unknown_glass", of_pane(sized + "glass = \"float\""),
      "s.toml:4:9: pane[0].glass: expected \"annealed\" or \"laminated\" or \"tempered\", got the text \"float\""},
-    {"unknown_far_key", pane(sized + "colour = 3"), "s.toml:4:1: pane[0].colour: unknown key"},
+    {"unknown_far_key", of_pane(sized + "colour = 3"), "s.toml:4:1: pane[0].colour: unknown key"},
     {"unknown_impact_key", impact("at_mm = [1, 1]\nspeed = 3"), "s.toml:6:1: pane[0].impact[0].speed: unknown key"},
-    {"unknown_growth_key", pane(sized + "growth.sector_radius = 3"),
+    {"unknown_growth_key", of_pane(sized + "growth.sector_radius = 3"),
      "s.toml:4:8: pane[0].growth.sector_radius: unknown key; did you mean sector_radius_px?"},
-    {"unknown_shards_key", pane(sized + "shards.gap = 3"), "s.toml:4:8: pane[0].shards.gap: unknown key"},
-    {"shards_gap_of_nothing", pane(sized + "shards.gap_mm = 0"),
+    {"unknown_shards_key", of_pane(sized + "shards.gap = 3"), "s.toml:4:8: pane[0].shards.gap: unknown key"},
+    {"shards_gap_of_nothing", of_pane(sized + "shards.gap_mm = 0"),
      "s.toml:4:17: pane[0].shards.gap_mm: expected a number from 0.02 to 10, got 0"},
-    {"shards_flag", pane(sized + "shards.enabled = 1"), "s.toml:4:18: pane[0].shards.enabled: expected true or false, got 1"},
-    {"floor_above_sill", pane(sized + "shards.floor_drop_mm = 24"),
+    {"shards_flag", of_pane(sized + "shards.enabled = 1"),
+     "s.toml:4:18: pane[0].shards.enabled: expected true or false, got 1"},
+    {"floor_above_sill", of_pane(sized + "shards.floor_drop_mm = 24"),
      "s.toml:4:24: pane[0].shards.floor_drop_mm: expected a floor not above the sill, so 25 or more, got 24"},
-    {"first_unknown_key", "zzz = 1\nyyy = 2\n" + pane(sized), "s.toml:1:1: zzz: unknown key"},
-    {"strange_key", "\"a\\nb\" = 1\n" + pane(sized), "s.toml:1:1: ?: unknown key"},
+    {"first_unknown_key", "zzz = 1\nyyy = 2\n" + of_pane(sized), "s.toml:1:1: zzz: unknown key"},
+    {"strange_key", "\"a\\nb\" = 1\n" + of_pane(sized), "s.toml:1:1: ?: unknown key"},
     // Kinds of values.
-    {"seed_text", "seed = \"7\"\n" + pane(sized),
+    {"seed_text", "seed = \"7\"\n" + of_pane(sized),
      "s.toml:1:8: seed: expected a whole number from 0 to 9223372036854775807, got the text \"7\""},
-    {"seed_negative", "seed = -1\n" + pane(sized),
+    {"seed_negative", "seed = -1\n" + of_pane(sized),
      "s.toml:1:8: seed: expected a whole number from 0 to 9223372036854775807, got -1"},
-    {"seed_fraction", "seed = 1.5\n" + pane(sized),
+    {"seed_fraction", "seed = 1.5\n" + of_pane(sized),
      "s.toml:1:8: seed: expected a whole number from 0 to 9223372036854775807, got 1.5"},
     {"pane_no_array", "pane = 3\n", "s.toml:1:8: pane: expected tables [[pane]], got 3"},
     {"pane_of_numbers", "pane = [3]\n", "s.toml:1:9: pane[0]: expected a table, got 3"},
-    {"growth_no_table", pane(sized + "growth = true"),
+    {"growth_no_table", of_pane(sized + "growth = true"),
      "s.toml:4:10: pane[0].growth: expected a table [pane[0].growth], got true"},
     {"name_number", "[[pane]]\nname = 3\n", "s.toml:2:8: pane[0].name: expected a text in quotes, got 3"},
-    {"size_number", pane("size_mm = 300"), "s.toml:3:11: pane[0].size_mm: expected a point [x, y], got 300"},
-    {"size_three", pane("size_mm = [1, 2, 3]"),
+    {"size_number", of_pane("size_mm = 300"), "s.toml:3:11: pane[0].size_mm: expected a point [x, y], got 300"},
+    {"size_three", of_pane("size_mm = [1, 2, 3]"),
      "s.toml:3:11: pane[0].size_mm: expected a point [x, y], got a list of 3 values"},
-    {"crack_body", pane(sized + "crack_body = \"tube\""),
+    {"crack_body", of_pane(sized + "crack_body = \"tube\""),
      "s.toml:4:14: pane[0].crack_body: expected \"cylinder\" or \"sheet\", got the text \"tube\""},
-    {"crack_sheet_alone", pane(sized + "crack_sheet = {tilt_deg = 10}"),
+    {"crack_sheet_alone", of_pane(sized + "crack_sheet = {tilt_deg = 10}"),
      "s.toml:4:15: pane[0].crack_sheet: expected crack_body = \"sheet\" beside it, got none"},
-    {"crack_tilt", pane(sized + "crack_body = \"sheet\"\ncrack_sheet = {tilt_deg = 80}"),
+    {"crack_tilt", of_pane(sized + "crack_body = \"sheet\"\ncrack_sheet = {tilt_deg = 80}"),
      "s.toml:5:27: pane[0].crack_sheet.tilt_deg: expected a number from 0 to 70, got 80"},
-    {"crack_depth", pane(sized + "crack_body = \"sheet\"\ncrack_sheet = {depth = [0.9, 0.2]}"),
+    {"crack_depth", of_pane(sized + "crack_body = \"sheet\"\ncrack_sheet = {depth = [0.9, 0.2]}"),
      "s.toml:5:24: pane[0].crack_sheet.depth: expected [least, greatest], got the greater one first"},
-    {"thickness_date", pane(sized + "thickness_mm = 2024-01-01"),
+    {"thickness_date", of_pane(sized + "thickness_mm = 2024-01-01"),
      "s.toml:4:16: pane[0].thickness_mm: expected a number from 0.1 to 1000, got a date or time"},
     // Numbers.
-    {"nan", pane(sized + "thickness_mm = nan"),
+    {"nan", of_pane(sized + "thickness_mm = nan"),
      "s.toml:4:16: pane[0].thickness_mm: expected a number from 0.1 to 1000, got nan"},
-    {"minus_nan", pane(sized + "thickness_mm = -nan"),
+    {"minus_nan", of_pane(sized + "thickness_mm = -nan"),
      "s.toml:4:16: pane[0].thickness_mm: expected a number from 0.1 to 1000, got nan"},
-    {"infinity", pane(sized + "thickness_mm = inf"),
+    {"infinity", of_pane(sized + "thickness_mm = inf"),
      "s.toml:4:16: pane[0].thickness_mm: expected a number from 0.1 to 1000, got inf"},
-    {"thickness_zero", pane(sized + "thickness_mm = 0"),
+    {"thickness_zero", of_pane(sized + "thickness_mm = 0"),
      "s.toml:4:16: pane[0].thickness_mm: expected a number from 0.1 to 1000, got 0"},
-    {"nan_coordinate", pane("outline_mm = [[0, 0], [nan, 0], [9, 9]]"),
+    {"nan_coordinate", of_pane("outline_mm = [[0, 0], [nan, 0], [9, 9]]"),
      "s.toml:3:24: pane[0].outline_mm[1][0]: expected a number from -1000000 to 1000000, got nan"},
-    {"far_coordinate", pane("outline_mm = [[0, 0], [2e6, 0], [9, 9]]"),
+    {"far_coordinate", of_pane("outline_mm = [[0, 0], [2e6, 0], [9, 9]]"),
      "s.toml:3:24: pane[0].outline_mm[1][0]: expected a number from -1000000 to 1000000, got 2000000"},
-    {"size_zero", pane("size_mm = [0, 300]"),
+    {"size_zero", of_pane("size_mm = [0, 300]"),
      "s.toml:3:12: pane[0].size_mm[0]: expected a number above 0 and of at most 1000000, got 0"},
-    {"spread_limit_one", pane(sized + "growth.spread_limit = 1.0"),
+    {"spread_limit_one", of_pane(sized + "growth.spread_limit = 1.0"),
      "s.toml:4:23: pane[0].growth.spread_limit: expected a number of at least 0 and below 1, got 1"},
-    {"joint_infinite", path("size_mm = [9, 9]\njoint_mm = inf"),
+    {"joint_infinite", of_path("size_mm = [9, 9]\njoint_mm = inf"),
      "s.toml:4:12: pavement[0].joint_mm: expected a number from 0 to 1000, got inf"},
-    {"stone_tiny", path("size_mm = [9, 9]\nstone_mm = [0.5, 9]"),
+    {"stone_tiny", of_path("size_mm = [9, 9]\nstone_mm = [0.5, 9]"),
      "s.toml:4:13: pavement[0].stone_mm[0]: expected a number from 1 to 100000, got 0.5"},
-    {"too_many_stones", path("size_mm = [1e6, 1e6]\nstone_mm = [1, 1]\njoint_mm = 0"),
+    {"too_many_stones", of_path("size_mm = [1e6, 1e6]\nstone_mm = [1, 1]\njoint_mm = 0"),
      "s.toml:4:12: pavement[0].stone_mm: expected stones so large that at most 4000000 are needed, got about 1000000000000"},
     // Names.
     {"no_name", "[[pane]]\n" + sized, "s.toml:1:1: pane[0].name: expected a name, got none"},
@@ -125,63 +126,65 @@ const std::vector<Case> cases = {
      "s.toml:2:8: pane[0].name: expected 1 to 64 letters, digits, '_' and '-', the first a letter, got \"a\\x0ab\""},
     {"name_digit_first", "[[pane]]\nname = \"1a\"\n" + sized,
      "s.toml:2:8: pane[0].name: expected 1 to 64 letters, digits, '_' and '-', the first a letter, got \"1a\""},
-    {"name_twice", pane(sized) + pane(sized), "s.toml:8:8: pane[1].name: expected a name of its own, got that of pane[0]"},
-    {"name_twice_across", pane(sized) + "[[pavement]]\nname = \"window\"\nsize_mm = [9, 9]\n",
+    {"name_twice", of_pane(sized) + of_pane(sized),
+     "s.toml:8:8: pane[1].name: expected a name of its own, got that of pane[0]"},
+    {"name_twice_across", of_pane(sized) + "[[pavement]]\nname = \"window\"\nsize_mm = [9, 9]\n",
      "s.toml:8:8: pavement[0].name: expected a name of its own, got that of pane[0]"},
-    {"name_twice_but_for_case", pane(sized) + "[[pavement]]\nname = \"Window\"\nsize_mm = [9, 9]\n",
+    {"name_twice_but_for_case", of_pane(sized) + "[[pavement]]\nname = \"Window\"\nsize_mm = [9, 9]\n",
      "s.toml:8:8: pavement[0].name: expected a name of its own, got that of pane[0]"},
     // Outlines.
-    {"no_outline", pane(""), "s.toml:1:1: pane[0].outline_mm: expected size_mm, outline_mm or outline_file, got none of them"},
-    {"outline_twice", pane("size_mm = [9, 9]\noutline_mm = [[0, 0], [9, 0], [9, 9]]"),
+    {"no_outline", of_pane(""),
+     "s.toml:1:1: pane[0].outline_mm: expected size_mm, outline_mm or outline_file, got none of them"},
+    {"outline_twice", of_pane("size_mm = [9, 9]\noutline_mm = [[0, 0], [9, 0], [9, 9]]"),
      "s.toml:4:14: pane[0].outline_mm: expected one outline, got outline_mm beside size_mm"},
-    {"outline_and_file", pane("outline_mm = [[0, 0], [9, 0], [9, 9]]\noutline_file = \"a.svg\""),
+    {"outline_and_file", of_pane("outline_mm = [[0, 0], [9, 0], [9, 9]]\noutline_file = \"a.svg\""),
      "s.toml:4:16: pane[0].outline_file: expected one outline, got outline_file beside outline_mm"},
-    {"feature_without_file", pane(sized + "outline_feature = 1"),
+    {"feature_without_file", of_pane(sized + "outline_feature = 1"),
      "s.toml:4:19: pane[0].outline_feature: expected outline_file beside it, got none"},
-    {"two_points", pane("outline_mm = [[0, 0], [9, 9], [0, 0]]"),
+    {"two_points", of_pane("outline_mm = [[0, 0], [9, 9], [0, 0]]"),
      "s.toml:3:14: pane[0].outline_mm: expected 3 or more distinct points, got 2"},
-    {"points_within_a_micrometre", pane("outline_mm = [[0, 0], [0.0001, 0], [0, 0.0002]]"),
+    {"points_within_a_micrometre", of_pane("outline_mm = [[0, 0], [0.0001, 0], [0, 0.0002]]"),
      "s.toml:3:14: pane[0].outline_mm: expected 3 or more distinct points, got 1"},
-    {"no_area", pane("outline_mm = [[0, 0], [9, 9], [5, 5]]"),
+    {"no_area", of_pane("outline_mm = [[0, 0], [9, 9], [5, 5]]"),
      "s.toml:3:14: pane[0].outline_mm: expected a ring with an area, got 3 points that enclose none"},
-    {"bow_tie", pane("outline_mm = [[0, 0], [10, 10], [10, 0], [0, 10]]"),
+    {"bow_tie", of_pane("outline_mm = [[0, 0], [10, 10], [10, 0], [0, 10]]"),
      "s.toml:3:14: pane[0].outline_mm: expected edges that do not cross, got edge 0 of the outline and edge 2 of the outline "
      "crossing "
      "at (5, 5)"},
-    {"bow_tie_with_repeated_points", pane("outline_mm = [[0, 0], [0, 0], [10, 10], [10, 0], [10, 0], [0, 10], [0, 0]]"),
+    {"bow_tie_with_repeated_points", of_pane("outline_mm = [[0, 0], [0, 0], [10, 10], [10, 0], [10, 0], [0, 10], [0, 0]]"),
      "s.toml:3:14: pane[0].outline_mm: expected edges that do not cross, got edge 1 of the outline and edge 4 of the outline "
      "crossing "
      "at (5, 5)"},
-    {"touches_itself", pane("outline_mm = [[0, 0], [10, 0], [10, 10], [5, 0], [0, 10]]"),
+    {"touches_itself", of_pane("outline_mm = [[0, 0], [10, 0], [10, 10], [5, 0], [0, 10]]"),
      "s.toml:3:14: pane[0].outline_mm: expected a ring that does not touch itself, got edge 0 of the outline and edge 3 of the "
      "outline "
      "meeting at (5, 0)"},
-    {"holes_in_pane", pane(sized + "holes_mm = []"), "s.toml:4:1: pane[0].holes_mm: unknown key"},
-    {"textures_too_large", path(sized + "textures = {size_px = 20000}"),
+    {"holes_in_pane", of_pane(sized + "holes_mm = []"), "s.toml:4:1: pane[0].holes_mm: unknown key"},
+    {"textures_too_large", of_path(sized + "textures = {size_px = 20000}"),
      "s.toml:4:23: pavement[0].textures.size_px: expected a whole number from 256 to 16384, got 20000"},
-    {"textures_format", path(sized + "textures = {format = \"tga\"}"),
+    {"textures_format", of_path(sized + "textures = {format = \"tga\"}"),
      "s.toml:4:22: pavement[0].textures.format: expected \"png\" or \"exr\" or \"tiled_exr\", got the text \"tga\""},
-    {"textures_area", path(sized + "textures = {area_mm = [[9, 9], [1, 1]]}"),
+    {"textures_area", of_path(sized + "textures = {area_mm = [[9, 9], [1, 1]]}"),
      "s.toml:4:23: pavement[0].textures.area_mm: expected the lower left and the upper right corner, got other points"},
-    {"textures_area_of_tile", path(sized + "textures = {area_mm = [[1, 1], [9, 9]], seamless = true}"),
+    {"textures_area_of_tile", of_path(sized + "textures = {area_mm = [[1, 1], [9, 9]], seamless = true}"),
      "s.toml:4:23: pavement[0].textures.area_mm: expected no area_mm beside seamless, got one"},
-    {"textures_tile", path(sized + "textures = {tile_mm = [100, 100]}"),
+    {"textures_tile", of_path(sized + "textures = {tile_mm = [100, 100]}"),
      "s.toml:4:23: pavement[0].textures.tile_mm: expected seamless = true beside it, got none"},
-    {"textures_flag", path(sized + "textures = {seamless = 1}"),
+    {"textures_flag", of_path(sized + "textures = {seamless = 1}"),
      "s.toml:4:24: pavement[0].textures.seamless: expected true or false, got 1"},
-    {"hole_outside", path("size_mm = [9, 9]\nholes_mm = [[[20, 1], [21, 1], [21, 2]]]"),
+    {"hole_outside", of_path("size_mm = [9, 9]\nholes_mm = [[[20, 1], [21, 1], [21, 2]]]"),
      "s.toml:4:13: pavement[0].holes_mm[0]: expected holes inside the outline, got hole 0 outside at (20, 1)"},
-    {"hole_across", path("size_mm = [9, 9]\nholes_mm = [[[1, 1], [2, 1], [2, 2]], [[8, 1], [10, 1], [8, 2]]]"),
+    {"hole_across", of_path("size_mm = [9, 9]\nholes_mm = [[[1, 1], [2, 1], [2, 2]], [[8, 1], [10, 1], [8, 2]]]"),
      "s.toml:4:39: pavement[0].holes_mm[1]: expected edges that do not cross, got edge 1 of the outline and edge 0 of hole 1 "
      "crossing "
      "at (9, 1)"},
-    {"hole_in_hole", path("size_mm = [9, 9]\nholes_mm = [[[1, 1], [8, 1], [8, 8]], [[6, 2], [7, 2], [7, 3]]]"),
+    {"hole_in_hole", of_path("size_mm = [9, 9]\nholes_mm = [[[1, 1], [8, 1], [8, 8]], [[6, 2], [7, 2], [7, 3]]]"),
      "s.toml:4:39: pavement[0].holes_mm[1]: expected holes that do not overlap, got hole 1 inside another at (6, 2)"},
-    {"holes_no_list", path("size_mm = [9, 9]\nholes_mm = [[1, 1], [2, 1], [2, 2]]"),
+    {"holes_no_list", of_path("size_mm = [9, 9]\nholes_mm = [[1, 1], [2, 1], [2, 2]]"),
      "s.toml:4:14: pavement[0].holes_mm[0][0]: expected a point [x, y], got 1"},
-    {"outline_file_missing", pane("outline_file = \"none.svg\""),
+    {"outline_file_missing", of_pane("outline_file = \"none.svg\""),
      "s.toml:3:16: pane[0].outline_file: expected a file, got none of that name: none.svg"},
-    {"outline_file_kind", pane("outline_file = \"a.dxf\""),
+    {"outline_file_kind", of_pane("outline_file = \"a.dxf\""),
      "s.toml:3:16: pane[0].outline_file: expected a file that ends in .geojson, .json or .svg, got \"a.dxf\""},
     // Impacts.
     {"no_impact", "[[pane]]\nname = \"w\"\n" + sized,
@@ -202,38 +205,38 @@ const std::vector<Case> cases = {
      "s.toml:6:16: pane[0].impact[0].radial_count: expected a whole number from 1 to 10000, got 0"},
     {"large_above_all", impact("at_mm = [5, 5]\nradial_count = 9\nlarge_count = 10"),
      "s.toml:7:15: pane[0].impact[0].large_count: expected a whole number from 0 to 9, got 10"},
-    {"preset_unknown", pane(sized + "preset = \"agui1992-fig15\""),
+    {"preset_unknown", of_pane(sized + "preset = \"agui1992-fig15\""),
      "s.toml:4:10: pane[0].preset: expected a preset such as \"agui1992-fig15a\", got \"agui1992-fig15\""},
     // Directions.
-    {"finish_unknown", path("size_mm = [9, 9]\nsurface.finish = \"polished\""),
+    {"finish_unknown", of_path("size_mm = [9, 9]\nsurface.finish = \"polished\""),
      "s.toml:4:18: pavement[0].surface.finish: expected \"flat_sawn\" or \"bush_hammered\" or \"split\" or \"river_worn\", got "
      "the "
      "text \"polished\""},
-    {"arris_without_finish", path("size_mm = [9, 9]\nsurface.arris_mm = 3"),
+    {"arris_without_finish", of_path("size_mm = [9, 9]\nsurface.arris_mm = 3"),
      "s.toml:4:20: pavement[0].surface.arris_mm: expected a finish beside it, got none"},
-    {"tilt_too_far", path("size_mm = [9, 9]\nvariation.tilt_deg = 11"),
+    {"tilt_too_far", of_path("size_mm = [9, 9]\nvariation.tilt_deg = 11"),
      "s.toml:4:22: pavement[0].variation.tilt_deg: expected a number from 0 to 10, got 11"},
-    {"wetness_beyond", path("size_mm = [9, 9]\nwetness = 1.1"),
+    {"wetness_beyond", of_path("size_mm = [9, 9]\nwetness = 1.1"),
      "s.toml:4:11: pavement[0].wetness: expected a number from 0 to 1, got 1.1"},
-    {"material_unknown", path("size_mm = [9, 9]\nmaterial = \"marble\""),
+    {"material_unknown", of_path("size_mm = [9, 9]\nmaterial = \"marble\""),
      "s.toml:4:12: pavement[0].material: expected \"setts\" or \"granite\" or \"basalt\" or \"sandstone\" or \"limestone\" or "
      "\"brick\", "
      "got the text \"marble\""},
-    {"fall_uphill", path("size_mm = [9, 9]\nground.fall_percent = -1"),
+    {"fall_uphill", of_path("size_mm = [9, 9]\nground.fall_percent = -1"),
      "s.toml:4:23: pavement[0].ground.fall_percent: expected a number from 0 to 100, got -1"},
     {"name_of_a_kerb",
-     path("size_mm = [9, 9]\nground.kerb_width_mm = 9") + "[[pavement]]\nname = \"path_kerb\"\nsize_mm = [9, 9]\n",
+     of_path("size_mm = [9, 9]\nground.kerb_width_mm = 9") + "[[pavement]]\nname = \"path_kerb\"\nsize_mm = [9, 9]\n",
      "s.toml:6:8: pavement[1].name: expected a name of its own, got that of pavement[0]"},
-    {"detail_mesh_zero", path("size_mm = [9, 9]\ndetail.mesh_mm = 0"),
+    {"detail_mesh_zero", of_path("size_mm = [9, 9]\ndetail.mesh_mm = 0"),
      "s.toml:4:18: pavement[0].detail.mesh_mm: expected a number from 0.1 to 1000, got 0"},
-    {"direction_kind", path("size_mm = [9, 9]\ndirection.kind = \"spiral\""),
+    {"direction_kind", of_path("size_mm = [9, 9]\ndirection.kind = \"spiral\""),
      "s.toml:4:18: pavement[0].direction.kind: expected \"constant\" or \"boundary\" or \"radial\" or \"guides\", got the text "
      "\"spiral\""},
-    {"guides_missing", path("size_mm = [9, 9]\ndirection.kind = \"guides\""),
+    {"guides_missing", of_path("size_mm = [9, 9]\ndirection.kind = \"guides\""),
      "s.toml:4:1: pavement[0].direction.guides_mm: expected one or more polylines, got none"},
-    {"guide_of_one_point", path("size_mm = [9, 9]\ndirection.guides_mm = [[[1, 1], [1, 1]]]"),
+    {"guide_of_one_point", of_path("size_mm = [9, 9]\ndirection.guides_mm = [[[1, 1], [1, 1]]]"),
      "s.toml:4:24: pavement[0].direction.guides_mm[0]: expected 2 or more distinct points, got 1"},
-    {"angle_nan", path("size_mm = [9, 9]\ndirection.angle_deg = nan"),
+    {"angle_nan", of_path("size_mm = [9, 9]\ndirection.angle_deg = nan"),
      "s.toml:4:23: pavement[0].direction.angle_deg: expected a number from -360 to 360, got nan"},
 };
 
@@ -270,7 +273,7 @@ TEST_P(OverrideErrors, NameTheOption) {
   const std::string& set = GetParam().set;
   const Override change{"--set " + set, set.substr(0, set.find('=')), set.substr(set.find('=') + 1)};
   try {
-    scene_of_text(pane(sized) + path(sized), "s.toml", {change});
+    scene_of_text(of_pane(sized) + of_path(sized), "s.toml", {change});
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_EQ(error.what(), GetParam().message);
@@ -317,7 +320,7 @@ TEST(SceneOfFile, RefusesWhatIsNoFile) {
   EXPECT_EQ(message("/dev/zero"), "/dev/zero: expected a regular file, got something else");
 }
 
-TEST(SceneOfText, RefusesAnUnusableSceneName) { EXPECT_THROW(scene_of_text(pane(sized), "a\"b.toml"), InputError); }
+TEST(SceneOfText, RefusesAnUnusableSceneName) { EXPECT_THROW(scene_of_text(of_pane(sized), "a\"b.toml"), InputError); }
 
 }  // namespace
 }  // namespace shatterpave::scene

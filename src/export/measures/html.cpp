@@ -43,7 +43,8 @@ std::string findings_rows(std::span<const measure::Finding> findings, std::strin
   Buffer out;
   for (const measure::Finding& finding : findings) {
     const std::string_view word = word_of(finding.verdict);
-    put(out,
+    put_html(
+        out,
         "<tr id=\"{}{}\"><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{} {}</td>"
         "<td><span class=\"verdict {}\">{}</span></td></tr>\n",
         prefix, finding.id, finding.quantity, target_of(finding), figure_of(finding), grouped(finding.count), finding.counted,

@@ -18,7 +18,7 @@ namespace shatterpave::exporting {
 using Buffer = fmt::memory_buffer;
 
 template <typename... Arguments>
-void put(Buffer& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+void put_html(Buffer& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
 }
 

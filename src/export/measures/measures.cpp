@@ -15,7 +15,7 @@ using measure::Distribution;
 using measure::ImpactFigures;
 
 // Count, mean, deviation, least and greatest; the last four empty where nothing was counted.
-void put(fmt::memory_buffer& out, const Distribution& d) {
+void put_csv(fmt::memory_buffer& out, const Distribution& d) {
   const auto at = std::back_inserter(out);
   if (d.count() == 0) {
     fmt::format_to(at, ",0,,,,");
@@ -31,14 +31,14 @@ constexpr std::string_view csv_head =
     "turns,turn_mean_deg,turn_sd_deg,turn_min_deg,turn_max_deg,"
     "edge_angles,edge_angle_mean_deg,edge_angle_sd_deg,edge_angle_min_deg,edge_angle_max_deg,gap_ratio,crossings\n";
 
-void put(fmt::memory_buffer& out, const ImpactFigures& f) {
+void put_csv(fmt::memory_buffer& out, const ImpactFigures& f) {
   const auto at = std::back_inserter(out);
   fmt::format_to(at, ",{},{},{},{}", f.drawn.radial_count, f.drawn.large_count, f.drawn.circular_count, f.reaching_count);
   fmt::format_to(at, ",{},{},{},{}", f.ends.edge, f.ends.crack, f.ends.enclosed, f.ends.open);
   fmt::format_to(at, ",{},{}", f.ring_crack_count, f.held_ring_end_count);
-  put(out, f.ring_distance_mm);
-  put(out, f.turn_deg);
-  put(out, f.edge_angle_deg);
+  put_csv(out, f.ring_distance_mm);
+  put_csv(out, f.turn_deg);
+  put_csv(out, f.edge_angle_deg);
   fmt::format_to(at, ",");
   if (f.gap_ratio) fmt::format_to(at, "{}", *f.gap_ratio);
   fmt::format_to(at, ",{}\n", f.crossing_count);
@@ -91,7 +91,7 @@ std::string measures_csv(const measure::Survey& survey) {
   for (const measure::SurveyedPane& pane : survey.panes) {
     for (std::size_t impact = 0; impact < pane.impacts.size(); ++impact) {
       fmt::format_to(std::back_inserter(out), "{},{},{}", pane.seed, survey.pane_names[pane.pane], impact);
-      put(out, pane.impacts[impact]);
+      put_csv(out, pane.impacts[impact]);
     }
   }
   return fmt::to_string(out);

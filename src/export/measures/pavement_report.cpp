@@ -129,8 +129,8 @@ std::string seeds_rows(const SurveyedPavement& pavement) {
   for (const Row& row : rows) {
     measure::Distribution values;
     for (const measure::SurveyedLayout& layout : pavement.layouts) values.add(row.value(layout.figures));
-    put(out, "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{:.{}f} … {:.{}f}</td></tr>\n", row.name,
-        mean_and_deviation(values, row.decimals), values.least(), row.decimals, values.greatest(), row.decimals);
+    put_html(out, "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{:.{}f} … {:.{}f}</td></tr>\n", row.name,
+             mean_and_deviation(values, row.decimals), values.least(), row.decimals, values.greatest(), row.decimals);
   }
   return fmt::to_string(out);
 }

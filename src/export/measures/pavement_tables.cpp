@@ -57,7 +57,7 @@ const std::vector<Column>& columns() {
   return all;
 }
 
-void put(fmt::memory_buffer& out, const StoneMeasures& stone) {
+void put_csv(fmt::memory_buffer& out, const StoneMeasures& stone) {
   const auto at = std::back_inserter(out);
   fmt::format_to(at, ",{},{},{},{},{},{}", stone.id, stone.kind == StoneKind::whole ? "whole" : "cut",
                  stone.in_border_course ? 1 : 0, stone.missing ? 1 : 0, stone.middle_mm.x, stone.middle_mm.y);
@@ -103,7 +103,7 @@ std::string stones_csv(const measure::Survey& survey) {
   for (const SurveyedPavement& pavement : survey.pavements) {
     for (const StoneMeasures& stone : pavement.first_measures.stones) {
       out.append(pavement.pavement.name);
-      put(out, stone);
+      put_csv(out, stone);
     }
   }
   return fmt::to_string(out);

@@ -154,11 +154,11 @@ std::string pane_rows(const Survey& survey) {
       reaching.add(figures.reaching_count);
       if (figures.ring_distance_mm.count() > 0) ring.add(figures.ring_distance_mm.mean());
     }
-    put(out, "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>",
-        escaped(survey.pane_names[i]), mean_and_deviation(summary.radial_count, 1), mean_and_deviation(reaching, 2),
-        mean_and_deviation(ring, 1));
-    put(out, "<td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n", mean_and_deviation(summary.turn_deg, 2),
-        mean_and_deviation(summary.edge_angle_deg, 1));
+    put_html(out, "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>",
+             escaped(survey.pane_names[i]), mean_and_deviation(summary.radial_count, 1), mean_and_deviation(reaching, 2),
+             mean_and_deviation(ring, 1));
+    put_html(out, "<td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n", mean_and_deviation(summary.turn_deg, 2),
+             mean_and_deviation(summary.edge_angle_deg, 1));
   }
   return fmt::to_string(out);
 }
@@ -167,14 +167,14 @@ std::string pane_rows(const Survey& survey) {
 void put_path(Buffer& out, const std::vector<vec2>& points, double unit, double step, bool closed) {
   const auto x = [&](vec2 p) { return std::llround(p.x / unit); };
   const auto y = [&](vec2 p) { return -std::llround(p.y / unit); };
-  put(out, "M{} {}l", x(points.front()), y(points.front()));
+  put_html(out, "M{} {}l", x(points.front()), y(points.front()));
   vec2 drawn = points.front();
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (i + 1 < points.size() && glm::length(points[i] - drawn) < step) continue;
-    put(out, "{} {} ", x(points[i]) - x(drawn), y(points[i]) - y(drawn));
+    put_html(out, "{} {} ", x(points[i]) - x(drawn), y(points[i]) - y(drawn));
     drawn = points[i];
   }
-  if (closed) put(out, "z");
+  if (closed) put_html(out, "z");
 }
 
 std::string_view class_of(glass::CrackKind kind) {
@@ -187,24 +187,25 @@ void put_specimen(Buffer& out, const measure::Specimen& specimen, bool named) {
   const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   const double unit = side * drawing_unit;
   const double step = side * drawing_step;
-  put(out, "<figure><svg viewBox=\"{} {} {} {}\" role=\"img\" aria-label=\"Cracks of seed {}\"><path class=\"pane\" d=\"",
-      std::llround(box.low.x / unit) - 10, -std::llround(box.high.y / unit) - 10,
-      std::llround((box.high.x - box.low.x) / unit) + 20, std::llround((box.high.y - box.low.y) / unit) + 20, specimen.seed);
+  put_html(out, "<figure><svg viewBox=\"{} {} {} {}\" role=\"img\" aria-label=\"Cracks of seed {}\"><path class=\"pane\" d=\"",
+           std::llround(box.low.x / unit) - 10, -std::llround(box.high.y / unit) - 10,
+           std::llround((box.high.x - box.low.x) / unit) + 20, std::llround((box.high.y - box.low.y) / unit) + 20,
+           specimen.seed);
   put_path(out, specimen.pane.outline_mm, unit, 0.0, true);
-  put(out, "\"/>");
+  put_html(out, "\"/>");
   using Kind = glass::CrackKind;
   for (const Kind kind : {Kind::radial, Kind::circular, Kind::large, Kind::branch, Kind::dice}) {
     const bool beyond_the_paper = kind == Kind::branch || kind == Kind::dice;
     if (beyond_the_paper && std::ranges::count(specimen.network.cracks, kind, &glass::Crack::kind) == 0) continue;
-    put(out, "<path class=\"{}\" d=\"", class_of(kind));
+    put_html(out, "<path class=\"{}\" d=\"", class_of(kind));
     for (const glass::Crack& crack : specimen.network.cracks) {
       if (crack.kind == kind) put_path(out, crack.points_mm, unit, step, false);
     }
-    put(out, "\"/>");
+    put_html(out, "\"/>");
   }
   const glass::ImpactCounts& counts = specimen.network.impacts.front();
-  put(out, "</svg><figcaption><b>{}</b> {}M {}, N {}</figcaption></figure>\n", specimen.seed,
-      named ? escaped(specimen.pane.name) + " · " : "", counts.radial_count, counts.large_count);
+  put_html(out, "</svg><figcaption><b>{}</b> {}M {}, N {}</figcaption></figure>\n", specimen.seed,
+           named ? escaped(specimen.pane.name) + " · " : "", counts.radial_count, counts.large_count);
 }
 
 std::string contact_sheet(const Survey& survey) {

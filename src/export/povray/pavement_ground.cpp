@@ -19,7 +19,7 @@ constexpr double bed_depth_mm = 50.0;
 
 double rounded(double mm) { return geometry::to_mm(geometry::to_lattice(mm)); }
 
-void append_ring(std::string& text, const geometry::Polygon& ring) {
+void append_bed_ring(std::string& text, const geometry::Polygon& ring) {
   const auto append_vertex = [&](const vec2& vertex) {
     text += '<';
     append_decimal(text, geometry::to_lattice(vertex.x), 3);
@@ -41,10 +41,10 @@ void append_prism(std::string& text, const paving::Pavement& pavement, const std
   std::size_t points = pavement.area.outline.size() + 1;
   for (const geometry::Polygon& hole : pavement.area.holes) points += hole.size() + 1;
   text += fmt::format("prism {{\n   linear_sweep linear_spline {}, {}, {},\n", low, high, points);
-  append_ring(text, pavement.area.outline);
+  append_bed_ring(text, pavement.area.outline);
   for (const geometry::Polygon& hole : pavement.area.holes) {
     text += ",\n";
-    append_ring(text, hole);
+    append_bed_ring(text, hole);
   }
   text += "\n" + last + "}\n";
 }

@@ -20,7 +20,7 @@ namespace {
 using paving::TextureFormat;
 using relief::RasterFileFormat;
 
-constexpr std::size_t rows_at_once = 64;
+constexpr std::size_t drawn_rows = 64;
 
 // The curve of sRGB (IEC 61966-2-1) over 0 … 1, as a table with straight lines between: off by less than a tenth of a step of 8
 // bits.
@@ -68,8 +68,8 @@ void write_map(const Maps& maps, const PixelGrid& grid, Map map, TextureFormat f
   static const SrgbCurve srgb;
   const std::size_t length = shape.width * shape.channels;
   std::vector<float> rows;
-  for (std::size_t begin = 0; begin < grid.height; begin += rows_at_once) {
-    const std::size_t count = std::min(rows_at_once, grid.height - begin);
+  for (std::size_t begin = 0; begin < grid.height; begin += drawn_rows) {
+    const std::size_t count = std::min(drawn_rows, grid.height - begin);
     rows.resize(count * length);
     parallel_for(count, [&](std::size_t k) {
       const std::span<float> row(&rows[k * length], length);

@@ -33,11 +33,12 @@ Span together(vec2 a0, vec2 a1, vec2 b0, vec2 b1) {
   return near(low) && near(high) ? Span{low, high} : Span{};
 }
 
-// `a` with its corners that lie beside corners of `b` taken there.
+// `a` with its corners that lie beside corners of `b` taken to the nearest of them.
 Polygon snapped(Polygon a, const Polygon& b) {
   for (vec2& p : a) {
-    const auto near = std::ranges::find_if(b, [&](vec2 q) { return glm::length(q - p) <= same_line_mm; });
-    if (near != b.end()) p = *near;
+    const auto distance = [&](vec2 q) { return glm::length(q - p); };
+    const auto nearest = std::ranges::min_element(b, {}, distance);
+    if (nearest != b.end() && distance(*nearest) <= same_line_mm) p = *nearest;
   }
   return a;
 }

@@ -42,9 +42,10 @@ struct Grown {
 
 struct Joining {
   std::vector<Grown> grown;
-  bool too_large = false;   // one of them
-  double hollow_mm2 = 0.0;  // between them and their convex hulls, more than before
-  double shared_mm = 0.0;   // joints that are no more
+  bool falls_apart = false;  // one of them, since it would hold by a neck that the joint takes
+  bool too_large = false;    // one of them
+  double hollow_mm2 = 0.0;   // between them and their convex hulls, more than before
+  double shared_mm = 0.0;    // joints that are no more
 };
 
 vec2 direction(const Polygon& polygon, std::size_t side) {
@@ -202,7 +203,7 @@ class Joiner {
     return hollow;
   }
 
-  // Each part joined to its host. Nothing if one cannot be, or would hold by a neck that the joint takes.
+  // Each part joined to its host. Nothing if one cannot be.
   std::optional<Joining> joining(std::vector<Grown> parts, std::size_t small) const {
     Joining result;
     for (Grown& part : parts) {
@@ -212,7 +213,7 @@ class Joiner {
       result.too_large |= geometry::area(*together) > largest_joined * stone_area_;
       const double shared_mm = shared_length(part.outline_mm, host);
       // A straight neck is as wide as its joint is long; one that leans on it is narrower.
-      if (shared_mm < 4.0 * joint_mm_ && faces_of(*together, joint_mm_).size() > 1) return std::nullopt;
+      result.falls_apart |= shared_mm < 4.0 * joint_mm_ && faces_of(*together, joint_mm_).size() > 1;
       result.hollow_mm2 += hollow_mm2(*together, part.host, small) - hollow_mm2(host, part.host, small);
       result.shared_mm += shared_mm;
       part.outline_mm = std::move(*together);
@@ -226,7 +227,7 @@ class Joiner {
     const std::vector<Touch> found = touches(small);
     std::optional<Joining> best;
     const auto rank = [&](const Joining& j) {
-      return std::tuple(j.too_large, std::floor(j.hollow_mm2 / (least_hollow * stone_area_)), -j.shared_mm);
+      return std::tuple(j.falls_apart, j.too_large, std::floor(j.hollow_mm2 / (least_hollow * stone_area_)), -j.shared_mm);
     };
     const auto consider = [&](std::vector<Grown> parts) {
       auto candidate = joining(std::move(parts), small);

@@ -37,6 +37,19 @@ TEST(Contact, JoinsWhatWasRoundedForEach) {
   EXPECT_FALSE(joined(low, Polygon{{0, 6}, {10, 6}, {10, 9}, {0, 9}}).has_value());
 }
 
+// Where a side of a lattice unit is left, the corner beside it is the nearer one of its two ends. From a real plan.
+TEST(Contact, JoinsBesideASideOfALatticeUnit) {
+  const Polygon small{{-19376.395, -21663.708}, {-19659.084, -21701.377}, {-19552.861, -21715.577}};
+  const Polygon large{{-19376.395, -21663.708},
+                      {-19545.107, -21339.005},
+                      {-19667.769, -21360.739},
+                      {-19659.085, -21701.377},
+                      {-19659.084, -21701.377}};
+  const auto together = joined(small, large);
+  ASSERT_TRUE(together.has_value());
+  EXPECT_NEAR(geometry::area(*together), geometry::area(small) + geometry::area(large), 0.01);
+}
+
 Pavement rows(Bond bond, double height_mm) {
   Pavement paved = pavement({{{0, 0}, {2000, 0}, {2000, height_mm}, {0, height_mm}}, {}}, 100, 8, ConstantDirection{});
   paved.stone_mm = {192, 92};

@@ -19,8 +19,8 @@ std::vector<Segment> segments_of(const std::vector<std::vector<LatticePoint>>& p
 }
 
 std::vector<std::int64_t> sorted_areas(const std::vector<Face>& faces) {
-  std::vector<std::int64_t> areas;
-  for (const Face& face : faces) areas.push_back(doubled_area(face));
+  std::vector<std::int64_t> areas(faces.size());
+  std::ranges::transform(faces, areas.begin(), [](const Face& face) { return doubled_area(face); });
   std::ranges::sort(areas);
   return areas;
 }

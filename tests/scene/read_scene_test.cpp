@@ -1,5 +1,6 @@
 #include "scene/read_scene.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <variant>
@@ -177,7 +178,7 @@ TEST(ReadScene, EveryShardsKeyReachesItsValue) {
   std::vector<glass::ShardRules> seen = {read(pane(base + "[pane.shards]\n")).panes[0].shards.value()};
   EXPECT_EQ(seen.front(), glass::ShardRules{});
   for (const std::string& key : keys) {
-    const glass::ShardRules rules = read(pane(base + "[pane.shards]\n" + key + "\n")).panes[0].shards.value();
+    const glass::ShardRules rules = read(pane(fmt::format("{}[pane.shards]\n{}\n", base, key))).panes[0].shards.value();
     for (const glass::ShardRules& other : seen) EXPECT_NE(rules, other) << key;
     seen.push_back(rules);
   }

@@ -47,9 +47,10 @@ while IFS='|' read -r name file change filter; do
     ((++unnoticed))
     continue
   fi
-  if ! cmake --build "$scratch/build" --target shatterpave_tests --parallel "$(nproc)" >"$scratch/log" 2>&1; then
+  if ! cmake --build "$scratch/build" --target shatterpave_tests shatterpave_image_tests --parallel "$(nproc)" >"$scratch/log" 2>&1; then
     found="does not build"
-  elif "$scratch/build/tests/shatterpave_tests" --gtest_brief=1 --gtest_filter="$filter" >"$scratch/log" 2>&1; then
+  elif "$scratch/build/tests/shatterpave_tests" --gtest_brief=1 --gtest_filter="$filter" >"$scratch/log" 2>&1 &&
+    "$scratch/build/tests/shatterpave_image_tests" --gtest_brief=1 --gtest_filter="$filter" >>"$scratch/log" 2>&1; then
     found="NOT NOTICED"
     ((++unnoticed))
   else

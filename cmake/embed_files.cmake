@@ -13,12 +13,13 @@ foreach(file IN LISTS FILES)
     string(APPEND literals "R\"embedded(${part})embedded\"\n")
     math(EXPR at "${at} + 8000")
   endwhile()
-  string(APPEND entries "      EmbeddedFile{\"${name}\",\n${literals}\"\"sv},\n")
+  string(APPEND entries "    EmbeddedFile{\"${name}\",\n${literals}\"\"sv},\n")
 endforeach()
 file(WRITE ${OUTPUT} "#include \"core/embedded.h\"\n\n#include <array>\n\nnamespace shatterpave {\n
 using namespace std::string_view_literals;
 
-std::span<const EmbeddedFile> embedded_files() {
-  static constexpr std::array files = {\n${entries}  };
-  return files;
-}\n\n}  // namespace shatterpave\n")
+static constexpr std::array files = {\n${entries}};
+
+std::span<const EmbeddedFile> embedded_files() { return files; }
+
+}  // namespace shatterpave\n")

@@ -1,11 +1,13 @@
 // How well stones are packed on every plan of the design along every kind of field: one table, in which a '*' marks what
 // misses its target.
 //
-//    packing_quality [FILE.geojson …] [--only TEXT]
+//    packing_quality [FILE.geojson …] [--only TEXT] [--seed N]
 //
-// Of each plan given in a file all parts are measured, paved with stones of 300 mm. `--only` leaves out cases without TEXT.
+// Of each plan given in a file all parts are measured, paved with stones of 300 mm. `--only` leaves out cases without TEXT; the
+// seed is 7 unless told.
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <span>
@@ -76,8 +78,8 @@ std::string figure(double value, double scale, int digits, bool meets) {
   return fmt::format("{:>{}.{}f}{}", scale * value, 7, digits, meets ? ' ' : '*');
 }
 
-void print_row(const std::string& name, const Pavement& paved) {
-  const StoneLayout layout = laid_stones(paved, 7);
+void print_row(const std::string& name, const Pavement& paved, std::uint64_t seed) {
+  const StoneLayout layout = laid_stones(paved, seed);
   const std::size_t wrong = faults(paved, layout).total();
   const LayoutQuality q = quality(paved, layout);
   std::string row =
@@ -98,9 +100,14 @@ void print_row(const std::string& name, const Pavement& paved) {
 int print_table(std::span<char*> arguments) {
   std::vector<Plan> plans = drawn_plans();
   std::string only;
+  std::uint64_t seed = 7;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (std::string_view(arguments[i]) == "--only" && i + 1 < arguments.size()) {
       only = arguments[++i];
+      continue;
+    }
+    if (std::string_view(arguments[i]) == "--seed" && i + 1 < arguments.size()) {
+      seed = std::stoull(arguments[++i]);
       continue;
     }
     for (Plan& plan : plans_of_file(arguments[i])) plans.push_back(std::move(plan));
@@ -113,7 +120,7 @@ int print_table(std::span<char*> arguments) {
       if (name.find(only) == std::string::npos) continue;
       Pavement paved = pavement(plan.area, plan.stone_mm.x, plan.joint_mm, direction);
       paved.stone_mm = plan.stone_mm;
-      print_row(name, paved);
+      print_row(name, paved, seed);
     }
   }
   return 0;

@@ -114,13 +114,18 @@ std::vector<Diagonal> diagonals(const Delaunay& mesh, const Faces& faces, std::s
   return found;
 }
 
-// For each face the face that stands for it and its partner, once the best diagonals are removed.
-std::vector<std::uint32_t> merged_faces(const std::vector<Diagonal>& candidates, std::size_t face_count) {
-  std::vector<std::uint32_t> stands(face_count);
-  for (std::size_t f = 0; f < face_count; ++f) stands[f] = static_cast<std::uint32_t>(f);
-  std::vector<bool> taken(face_count, false);
+// For each face the face that stands for it and its partner, once the best diagonals are removed. A stone has a corner for each
+// of its particle's links that stay: it keeps four.
+std::vector<std::uint32_t> merged_faces(const std::vector<Diagonal>& candidates, const Delaunay& mesh) {
+  std::vector<std::uint32_t> stands(mesh.face_count);
+  for (std::size_t f = 0; f < mesh.face_count; ++f) stands[f] = static_cast<std::uint32_t>(f);
+  std::vector<std::size_t> links(mesh.point_count());
+  for (std::size_t p = 0; p < mesh.point_count(); ++p) links[p] = mesh.around(p).size();
+  std::vector<bool> taken(mesh.face_count, false);
   for (const Diagonal& d : candidates) {
-    if (taken[d.left_face] || taken[d.right_face]) continue;
+    if (taken[d.left_face] || taken[d.right_face] || links[d.from] <= 4 || links[d.to] <= 4) continue;
+    --links[d.from];
+    --links[d.to];
     taken[d.left_face] = taken[d.right_face] = true;
     stands[std::max(d.left_face, d.right_face)] = std::min(d.left_face, d.right_face);
   }
@@ -167,7 +172,7 @@ Cells cells_of(std::span<const Particle> particles, const Pavement& pavement) {
   std::vector<vec2> points(particles.size());
   std::ranges::transform(particles, points.begin(), &Particle::at);
   const Delaunay mesh = geometry::delaunay(points);
-  const auto stands = merged_faces(diagonals(mesh, faces_of(mesh), particles, rule), mesh.face_count);
+  const auto stands = merged_faces(diagonals(mesh, faces_of(mesh), particles, rule), mesh);
 
   Cells cells;
   cells.corners = face_centroids(mesh, stands, particles);

@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "export/texture_scenes.h"
+#include "geometry/region_index.h"
 #include "paving/stone_surface.h"
 #include "relief/field_spectrum.h"
 
@@ -63,15 +64,25 @@ double error_near(const Drawn& drawn, const paving::Stone& stone, vec2 at, doubl
 struct Agreement {
   int stones = 0;    // pixels that are a stone's in both
   int joints = 0;    // in neither
-  int missed = 0;    // that should be of another stone, or of none
+  int missed = 0;    // that should be of another stone, or, farther from it than a tenth of a pixel, of none
   double worst = 0;  // mm that heights are away from those of the stones within a tenth of a pixel
 };
+
+bool is_within_of(const geometry::Polygon& outline, vec2 at, double reach_mm) {
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const vec2 nearest =
+        geometry::nearest_point(geometry::RegionIndex::Segment{outline[i], outline[(i + 1) % outline.size()]}, at);
+    if (glm::length(nearest - at) <= reach_mm) return true;
+  }
+  return false;
+}
 
 // Against what stands in the outlines of `stones`, point by point. A pixel whose stone stands within `margin_mm` of the bed may
 // be either.
 Agreement agreement(const Drawn& drawn, const std::vector<paving::Stone>& stones) {
   constexpr double margin_mm = 2.0;
   const double bed = paving::bed_level_mm(drawn.pavement.surface);
+  const double reach = 0.1 * drawn.map.grid.pixel_mm.x;
   Agreement result;
   for (std::size_t row = 0; row < drawn.map.grid.height; ++row) {
     for (std::size_t column = 0; column < drawn.map.grid.width; ++column) {
@@ -80,7 +91,8 @@ Agreement agreement(const Drawn& drawn, const std::vector<paving::Stone>& stones
           std::ranges::find_if(stones, [&](const auto& stone) { return geometry::contains(stone.outline_mm, at); });
       const std::uint32_t drawn_stone = drawn.map.stone[drawn.map.index(column, row)];
       if (found == stones.end()) {
-        (drawn_stone == 0 ? result.joints : result.missed) += 1;
+        const bool joint = drawn_stone == 0 || is_within_of(stones[drawn_stone - 1].outline_mm, at, reach);
+        (joint ? result.joints : result.missed) += 1;
         continue;
       }
       const auto height = height_of_stone(drawn, *found, at);
@@ -88,7 +100,6 @@ Agreement agreement(const Drawn& drawn, const std::vector<paving::Stone>& stones
       const bool same = drawn_stone == static_cast<std::uint32_t>(found - stones.begin()) + 1;
       (same ? result.stones : result.missed) += 1;
       if (!same) continue;
-      const double reach = 0.1 * drawn.map.grid.pixel_mm.x;
       const auto drawn_height = static_cast<double>(drawn.map.height_mm[drawn.map.index(column, row)]);
       result.worst = std::max(result.worst, error_near(drawn, *found, at, *height, drawn_height, reach));
     }

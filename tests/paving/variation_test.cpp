@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/region_index.h"
 #include "paving/laying.h"
 #include "paving/layout_quality.h"
 #include "paving/paved_areas.h"
@@ -31,6 +32,44 @@ TEST(Variation, NeverLetsStonesTouchOrLeaveTheArea) {
   const StoneLayout loose = varied(layout, paved, 3);
   paved.joint_mm = 2.0;
   EXPECT_GT(faults(paved, loose).overlaps, 100U);
+}
+
+// Between the two of all pairs of stones nearest to one another, mm.
+double narrowest_joint(const StoneLayout& layout) {
+  double narrowest = 1e300;
+  for (const Stone& one : layout.stones) {
+    const geometry::Box box = geometry::bounding_box(one.outline_mm);
+    for (const Stone& other : layout.stones) {
+      const geometry::Box beside = geometry::bounding_box(other.outline_mm);
+      const vec2 apart = glm::max(beside.low - box.high, box.low - beside.high);
+      if (one.id == other.id || std::max(apart.x, apart.y) > narrowest) continue;
+      for (const vec2& p : one.outline_mm) {
+        for (std::size_t i = 0; i < other.outline_mm.size(); ++i) {
+          const vec2 q = other.outline_mm[i];
+          const vec2 nearest = geometry::nearest_point({q, other.outline_mm[(i + 1) % other.outline_mm.size()]}, p);
+          narrowest = std::min(narrowest, glm::length(nearest - p));
+        }
+      }
+    }
+  }
+  return narrowest;
+}
+
+// On a bend a straight side may be nearer to its neighbours than the joint (cells.h), which takes from what corners may move.
+TEST(Variation, NeverLetsStonesTouchWhereRowsBend) {
+  for (const Direction& direction : {Direction{RadialDirection{{1700, 2600}}}, Direction{BoundaryDirection{}}}) {
+    for (const vec2 stone_mm : {vec2{100, 100}, vec2{140, 90}}) {
+      Pavement paved = plain(8.0);
+      paved.direction = direction;
+      paved.stone_mm = stone_mm;
+      const StoneLayout layout = laid_stones(paved, 3);
+      paved.variation = {0.3, Angle::degrees(20), 30.0, 0.0, 0.0, {}};
+      EXPECT_EQ(faults(paved, varied(layout, paved, 3)).total(), 0U);
+      // Each of two neighbours may move by 0.3 of the joint. By half of it, as where rows are straight, would be too much.
+      EXPECT_GE(narrowest_joint(layout), 0.6 * paved.joint_mm);
+      EXPECT_LT(narrowest_joint(layout), 0.9 * paved.joint_mm);
+    }
+  }
 }
 
 TEST(Variation, EachKindMovesStonesAsAsked) {

@@ -20,17 +20,27 @@ double value(std::uint64_t seed, double column, double row) {
 
 }  // namespace
 
-GroundPoint settlement(const Ground& ground, std::uint64_t seed, vec2 place) {
+GroundPoint settlement(const Ground& ground, std::uint64_t seed, vec2 place, std::optional<vec2> period_mm) {
   if (ground.settlement_mm == 0.0) return {};
   // A hollow and the ridge beside it are two cells.
-  const double cell_mm = 0.5 * ground.settlement_length_mm;
+  vec2 cell_mm = vec2{0.5, 0.5} * ground.settlement_length_mm;
+  vec2 count{0.0, 0.0};
+  if (period_mm) {
+    count = 2.0 * glm::max(vec2{1.0, 1.0}, glm::floor(*period_mm / ground.settlement_length_mm + 0.5));
+    cell_mm = *period_mm / count;
+  }
   const vec2 at = place / cell_mm;
-  const vec2 cell = {std::floor(at.x), std::floor(at.y)};
+  const vec2 cell = glm::floor(at);
   const vec2 within = at - cell;
-  const double a = value(seed, cell.x, cell.y);
-  const double b = value(seed, cell.x + 1.0, cell.y) - a;
-  const double c = value(seed, cell.x, cell.y + 1.0) - a;
-  const double d = value(seed, cell.x + 1.0, cell.y + 1.0) - a - b - c;
+  const auto corner = [&](double x, double y) {
+    vec2 at_cell = cell + vec2{x, y};
+    if (period_mm) at_cell -= count * glm::floor(at_cell / count);
+    return value(seed, at_cell.x, at_cell.y);
+  };
+  const double a = corner(0.0, 0.0);
+  const double b = corner(1.0, 0.0) - a;
+  const double c = corner(0.0, 1.0) - a;
+  const double d = corner(1.0, 1.0) - a - b - c;
   const double u = ease(within.x);
   const double v = ease(within.y);
   const double scale = ground.settlement_mm;

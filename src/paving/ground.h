@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "paving/pavement.h"
 
@@ -13,7 +14,8 @@ struct GroundPoint {
 };
 
 // The settlement of the ground at `place`, without fall and level: value noise (lattice values drawn evenly, joined by quintic
-// ease curves), so that heights and slopes are continuous. A function of the seed, the place and the ground alone.
-GroundPoint settlement(const Ground& ground, std::uint64_t seed, vec2 place);
+// ease curves), so that heights and slopes are continuous. A function of the seed, the place and the ground alone. With a
+// period in x and y it repeats: hollows are as much nearer or farther apart as a whole number of them needs.
+GroundPoint settlement(const Ground& ground, std::uint64_t seed, vec2 place, std::optional<vec2> period_mm = {});
 
 }  // namespace shatterpave::paving

@@ -6,12 +6,10 @@
 
 namespace shatterpave::paving {
 
-std::vector<double> traffic(const Pavement& pavement, const StoneLayout& layout) {
-  const geometry::RegionIndex area(pavement.area);
-  std::vector<double> distances(layout.stones.size());
-  parallel_for(layout.stones.size(), [&](std::size_t s) {
-    distances[s] = area.nearest(geometry::centroid(layout.stones[s].outline_mm)).distance_mm;
-  });
+std::vector<double> traffic(const std::vector<Stone>& stones, const geometry::RegionIndex& area) {
+  std::vector<double> distances(stones.size());
+  parallel_for(stones.size(),
+               [&](std::size_t s) { distances[s] = area.nearest(geometry::centroid(stones[s].outline_mm)).distance_mm; });
   const double farthest = distances.empty() ? 0.0 : *std::ranges::max_element(distances);
   if (farthest == 0.0) return std::vector<double>(distances.size(), 0.0);
   for (double& distance : distances) {

@@ -9,9 +9,8 @@
 #include "core/parallel.h"
 #include "export/povray/stone_mesh.h"
 #include "geometry/lattice.h"
-#include "paving/ground.h"
+#include "paving/laid_surface.h"
 #include "paving/stone_surface.h"
-#include "paving/wear.h"
 
 namespace shatterpave::exporting::povray {
 
@@ -70,11 +69,9 @@ Fineness fineness(const paving::Pavement& pavement, vec2 centre, double size_mm)
 
 struct Making {
   const PavedArea& paved;
-  std::uint64_t seed = 0;
   double relief_side_mm = 1.0;
   const relief::HeightField* relief = nullptr;
-  const geometry::RegionIndex& area;
-  const std::vector<double>& traffic;  // empty without wear
+  const paving::LaidSurface& surface;
 };
 
 void append_vertices(StoneText& result, const StoneMesh& mesh, double side_mm, vec2 centre, const StoneDraws& draws) {
@@ -103,21 +100,13 @@ StoneText stone_text(const Making& making, std::size_t index) {
   const paving::Pavement& pavement = making.paved.pavement;
   const vec2 centre = geometry::centroid(stone.outline_mm);
   const double size_mm = std::sqrt(geometry::area(stone.outline_mm));
-  StoneDraws draws = paving::stone_draws(pavement, making.seed, stone.id);
+  StoneDraws draws = making.surface.draws(index);
   StoneText result;
   result.tone = tone_of(draws);
-  if (!making.traffic.empty()) {
-    draws = paving::worn(draws, pavement, making.traffic[index]);
-    result.wear = std::min(wear_classes - 1, static_cast<int>(making.traffic[index] * wear_classes));
-  }
+  result.wear = std::min(wear_classes - 1, static_cast<int>(making.surface.traffic(index) * wear_classes));
   const Fineness fine = fineness(pavement, centre, size_mm);
   if (!fine.chips && draws.body) draws.body->chips_per_m = 0.0;
-  std::vector<BezierPatch> patches =
-      paving::surface_patches(stone.outline_mm, draws, paving::sawn_sides(stone, pavement, making.area));
-  const paving::GroundPoint ground = paving::settlement(pavement.ground, making.seed, centre);
-  for (BezierPatch& patch : patches) {
-    for (vec3& p : patch.control_points) p.z += ground.height_mm + glm::dot(ground.slope, vec2{p.x, p.y} - centre);
-  }
+  const std::vector<BezierPatch> patches = making.surface.patches(index, draws);
   result.face_mm = height_at(patches, centre);
   const auto texture_place = [&](const vec3& p) {
     return draws.relief_place + (vec2{p.x, p.y} - centre) / making.relief_side_mm;
@@ -156,10 +145,8 @@ double relief_of_wear(int wear) { return 1.0 - 0.5 * (wear + 0.5) / wear_classes
 
 std::vector<StoneText> stone_texts(const PavedArea& paved, std::uint64_t seed, double relief_side_mm,
                                    const relief::HeightField* relief) {
-  const geometry::RegionIndex area(paved.pavement.area);
-  const std::vector<double> traffic =
-      paved.pavement.body.wear_mm > 0.0 ? paving::traffic(paved.pavement, paved.layout) : std::vector<double>{};
-  const Making making{paved, seed, relief_side_mm, relief, area, traffic};
+  const paving::LaidSurface surface(paved.pavement, paved.layout.stones, seed);
+  const Making making{paved, relief_side_mm, relief, surface};
   std::vector<StoneText> texts(paved.layout.stones.size());
   parallel_for_chunks(texts.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) texts[i] = stone_text(making, i);

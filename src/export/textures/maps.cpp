@@ -10,7 +10,6 @@
 #include "export/textures/bed.h"
 #include "export/textures/occlusion.h"
 #include "export/textures/palette.h"
-#include "paving/stone_surface.h"
 
 namespace shatterpave::exporting::textures {
 
@@ -95,6 +94,7 @@ struct Maps::Looks {
     vec2 centre{0.0, 0.0};
     vec2 relief_place{0.0, 0.0};
     double drawn = 0.0;
+    float relief = 1.0F;  // how much is left of it
     Colour colour;
   };
 
@@ -104,6 +104,7 @@ struct Maps::Looks {
         bed(surface.pavement, surface.fields.grain, map.grid, map.grid.pixel_mm.y),
         minerals(surface.fields.grain, map.grid.pixel_mm.y / mineral_scale),
         relief_side_mm(surface.fields.relief_side_mm),
+        laid(laid_surface(surface, map.grid)),
         stones(surface.stones.size()) {
     const double rms_mm = surface.pavement.relief.rms_mm;
     if (rms_mm > 0.0) {
@@ -116,22 +117,25 @@ struct Maps::Looks {
     level = top.height_mm == 0.0;
     parallel_for_chunks(stones.size(), stones_at_once, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {
-        const paving::StoneDraws draws = paving::stone_draws(surface.pavement, surface.seed, surface.stones[s].id);
+        const paving::StoneDraws draws = laid.draws(s);
         stones[s] = {geometry::centroid(surface.stones[s].outline_mm), draws.relief_place, draws.colour,
-                     stone_colour(draws.colour)};
+                     static_cast<float>(draws.relief), stone_colour(draws.colour)};
       }
     });
   }
 
   // What is seen of a stone at a pixel of the window.
   Place place(const Stone& stone, std::size_t column, std::size_t row, float height) const {
-    vec2 from_centre = grid.centre(static_cast<double>(column), static_cast<double>(row)) - stone.centre;
+    const vec2 at = grid.centre(static_cast<double>(column), static_cast<double>(row));
+    vec2 from_centre = at - stone.centre;
     if (periodic) from_centre -= grid.size_mm() * glm::round(from_centre / grid.size_mm());
     Place place;
     const vec2 in_relief = stone.relief_place + from_centre / relief_side_mm;
-    if (relief) place.relief = per_rms * relief->at(PeriodicField::phase(in_relief.x), PeriodicField::phase(in_relief.y));
+    if (relief)
+      place.relief = stone.relief * per_rms * relief->at(PeriodicField::phase(in_relief.x), PeriodicField::phase(in_relief.y));
     const vec2 in_grain = stone.relief_place + from_centre / (mineral_scale * grain_side_mm);
     place.grain = minerals.at(PeriodicField::phase(in_grain.x), PeriodicField::phase(in_grain.y));
+    if (!laid.is_level()) height -= static_cast<float>(laid.ground(at).height_mm);
     place.rise = level ? 1.0F : height * per_top;
     return place;
   }
@@ -164,6 +168,7 @@ struct Maps::Looks {
   Bed bed;
   PeriodicField minerals;
   double relief_side_mm;
+  paving::LaidSurface laid;
   std::optional<PeriodicField> relief;
   float per_rms = 0.0F;
   float per_top = 1.0F;

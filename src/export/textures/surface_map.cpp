@@ -11,7 +11,7 @@
 #include "core/parallel.h"
 #include "export/textures/bed.h"
 #include "export/textures/patch_fill.h"
-#include "paving/stone_surface.h"
+#include "paving/laid_surface.h"
 
 namespace shatterpave::exporting::textures {
 
@@ -68,7 +68,11 @@ std::vector<Placed> placed_stones(const Surface& surface, const geometry::Box& w
 class Drawing {
  public:
   Drawing(const Surface& surface, std::size_t samples, SurfaceMap& map)
-      : surface_(surface), samples_(samples), map_(map), bed_(surface.pavement, surface.fields.grain, map.grid, sample_mm().y) {
+      : surface_(surface),
+        samples_(samples),
+        map_(map),
+        bed_(surface.pavement, surface.fields.grain, map.grid, sample_mm().y),
+        laid_(laid_surface(surface, map.grid)) {
     if (surface.pavement.relief.rms_mm > 0.0) relief_.emplace(surface.fields.relief, sample_mm().y);
     placed_ = placed_stones(surface, window(), map.grid.size_mm());
     list_bands();
@@ -159,8 +163,8 @@ class Drawing {
     const double bottom = std::min(band_top + static_cast<double>(band.rows) - 1.0, std::floor(high.y));
     if (right < left || bottom < top) return;
     band.block.reset(static_cast<std::size_t>(right - left) + 1, static_cast<std::size_t>(bottom - top) + 1);
-    const paving::StoneDraws draws = paving::stone_draws(surface_.pavement, surface_.seed, stone.id);
-    for (geometry::BezierPatch& patch : paving::surface_patches(stone.outline_mm, draws)) {
+    const paving::StoneDraws draws = laid_.draws(placed.stone);
+    for (geometry::BezierPatch& patch : laid_.patches(placed.stone, draws)) {
       for (vec3& p : patch.control_points) {
         const vec2 at = in_samples(vec2{p.x, p.y} + placed.by) - vec2{left, top};
         p = {at.x, at.y, p.z};
@@ -168,13 +172,14 @@ class Drawing {
       fill_patch(patch, band.block);
     }
     const vec2 from_centre = of_sample({left, top}) - placed.by - geometry::centroid(stone.outline_mm);
-    lay_stone(placed.stone + 1, draws.relief_place, from_centre, {left, top}, band);
+    lay_stone(placed.stone + 1, draws, from_centre, {left, top}, band);
   }
 
   // Takes the block of a stone over into the band, with its relief, where it stands above the joint. `from_centre` is where the
   // block's first sample lies, in mm; `corner` the same in samples.
-  void lay_stone(std::uint32_t stone, vec2 relief_place, vec2 from_centre, vec2 corner, Band& band) const {
-    const vec2 place = relief_place + from_centre / surface_.fields.relief_side_mm;
+  void lay_stone(std::uint32_t stone, const paving::StoneDraws& draws, vec2 from_centre, vec2 corner, Band& band) const {
+    const auto relief = static_cast<float>(draws.relief);
+    const vec2 place = draws.relief_place + from_centre / surface_.fields.relief_side_mm;
     const vec2 step = sample_mm() / surface_.fields.relief_side_mm;
     const auto left = static_cast<std::size_t>(corner.x);
     const auto top = static_cast<std::size_t>(corner.y);
@@ -187,7 +192,7 @@ class Drawing {
       for (std::size_t x = 0; x < band.block.width(); ++x, u += step_u) {
         if (block[x] == HeightBlock::nothing) continue;
         if (block[x] < bed_.top_mm() && block[x] < bed_height(left + x, top + y)) continue;
-        const float height = block[x] + (relief_ ? relief_->at(u, v) : 0.0F);
+        const float height = block[x] + (relief_ ? relief * relief_->at(u, v) : 0.0F);
         if (height <= band.height[at + x]) continue;
         band.height[at + x] = height;
         band.stone[at + x] = stone;
@@ -195,7 +200,14 @@ class Drawing {
     }
   }
 
-  float bed_height(std::size_t column, std::size_t row) const { return bed_.height_mm(bed_.grain(bed_x(column), bed_y(row))); }
+  float bed_height(std::size_t column, std::size_t row) const {
+    return bed_.height_mm(bed_.grain(bed_x(column), bed_y(row))) + sunk(column, row);
+  }
+  // At most 0, as the height of the ground there.
+  float sunk(std::size_t column, std::size_t row) const {
+    if (laid_.is_level()) return 0.0F;
+    return static_cast<float>(laid_.ground(of_sample({static_cast<double>(column), static_cast<double>(row)})).height_mm);
+  }
   Bed::Phase bed_x(std::size_t column) const {
     const auto halo = static_cast<double>(map_.halo * samples_);
     return bed_.phase_x((static_cast<double>(column) + 0.5 - halo) / static_cast<double>(map_.grid.width * samples_));
@@ -213,7 +225,7 @@ class Drawing {
       float* height = &band.height[row * columns()];
       const std::uint32_t* stone = &band.stone[row * columns()];
       for (std::size_t column = 0; column < columns(); ++column) {
-        if (stone[column] == 0) height[column] = bed_.height_mm(bed_.grain(x[column], y));
+        if (stone[column] == 0) height[column] = bed_.height_mm(bed_.grain(x[column], y)) + sunk(column, band.first_row + row);
       }
     }
   }
@@ -259,6 +271,7 @@ class Drawing {
   std::size_t samples_;
   SurfaceMap& map_;
   Bed bed_;
+  paving::LaidSurface laid_;
   std::optional<PeriodicField> relief_;
   std::vector<Placed> placed_;
   std::size_t band_rows_ = 1;  // of pixels
@@ -268,6 +281,10 @@ class Drawing {
 };
 
 }  // namespace
+
+paving::LaidSurface laid_surface(const Surface& surface, const PixelGrid& grid) {
+  return {surface.pavement, surface.stones, surface.seed, surface.periodic ? std::optional(grid.size_mm()) : std::nullopt};
+}
 
 std::size_t samples_for(const paving::Pavement& pavement, const PixelGrid& grid) {
   const double pixel = std::max(grid.pixel_mm.x, grid.pixel_mm.y);

@@ -10,6 +10,7 @@
 
 #include "export/textures/fields.h"
 #include "export/textures/pixel_grid.h"
+#include "paving/laid_surface.h"
 #include "paving/pavement.h"
 #include "paving/stones.h"
 
@@ -23,6 +24,9 @@ struct Surface {
   std::uint64_t seed = 1;
   bool periodic = false;  // the stones repeat by the size of the window, in x and y
 };
+
+// The stones as they lie, over the window of that grid.
+paving::LaidSurface laid_surface(const Surface& surface, const PixelGrid& grid);
 
 // Samples along a side of a pixel that show the joints of the pavement as they are; 2 … 4.
 std::size_t samples_for(const paving::Pavement& pavement, const PixelGrid& grid);

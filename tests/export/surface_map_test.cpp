@@ -246,11 +246,69 @@ PixelGrid pixels_over(vec2 size_mm, std::size_t width, std::size_t height) {
   return {{0.0, 0.0}, size_mm / vec2{static_cast<double>(width), static_cast<double>(height)}, width, height};
 }
 
+// ---- stones as they lie
+
+std::vector<float> heights(const paving::Pavement& pavement, const std::vector<paving::Stone>& stones) {
+  return Drawn(pavement, stones, {{0.0, 0.0}, {4.0, 4.0}, 250, 250}, 1).map.height_mm;
+}
+
+// The mean of `after` less `before` over the window's square of that many pixels about a pixel.
+double mean_rise(const std::vector<float>& before, const std::vector<float>& after, std::size_t column, std::size_t row) {
+  double sum = 0.0;
+  for (std::size_t j = row - 8; j < row + 8; ++j) {
+    for (std::size_t i = column - 8; i < column + 8; ++i) {
+      const std::size_t at = (j + 1) * 252 + i + 1;
+      sum += static_cast<double>(after[at]) - static_cast<double>(before[at]);
+    }
+  }
+  return sum / 256.0;
+}
+
+TEST(SurfaceMap, StonesAreWornInTheMiddleAndNotAtTheBorder) {
+  paving::Pavement pavement = square_pavement(1000.0);
+  pavement.stone_mm = {200.0, 200.0};
+  pavement.body.finish = paving::Finish::split;
+  pavement.relief.rms_mm = 0.0;
+  const auto stones = paving::laid_stones(pavement, 7).stones;
+  const auto before = heights(pavement, stones);
+  pavement.body.wear_mm = 6.0;
+  const auto after = heights(pavement, stones);
+  EXPECT_NEAR(mean_rise(before, after, 125, 125), -6.0, 1.5);
+  EXPECT_NEAR(mean_rise(before, after, 12, 125), 0.0, 1.0);
+}
+
+TEST(SurfaceMap, StonesAndJointsSinkWithTheGround) {
+  paving::Pavement pavement = square_pavement(1000.0);
+  pavement.relief.rms_mm = 0.0;
+  const auto stones = paving::laid_stones(pavement, 7).stones;
+  const auto before = heights(pavement, stones);
+  pavement.ground.settlement_mm = 40.0;
+  pavement.ground.settlement_length_mm = 900.0;
+  const auto after = heights(pavement, stones);
+  const auto off = [&](double factor) {
+    double worst = 0.0;
+    for (const std::size_t row : {30U, 90U, 160U, 220U}) {
+      for (const std::size_t column : {25U, 100U, 150U, 225U}) {
+        const vec2 at{4.0 * (static_cast<double>(column)), 1000.0 - 4.0 * static_cast<double>(row)};
+        const double sunk = paving::settlement(pavement.ground, 7, at).height_mm;
+        worst = std::max(worst, std::abs(mean_rise(before, after, column, row) - factor * sunk));
+      }
+    }
+    return worst;
+  };
+  EXPECT_LT(off(1.0), 1.0);  // the ground bends within a stone, which does not
+  EXPECT_GT(off(0.8), 4.0);  // the twin
+}
+
 TEST(SurfaceMap, SeamlessTileMeetsItself) {
   paving::Pavement pavement = square_pavement(1000.0);
   pavement.bonding.bond = paving::Bond::running;
   pavement.stone_mm = {210.0, 100.0};
   pavement.textures.tile_mm = vec2{860.0, 640.0};
+  // Whose hollows are not as far apart as the tile is wide.
+  pavement.ground.settlement_mm = 10.0;
+  pavement.ground.settlement_length_mm = 350.0;
+  pavement.body.wear_mm = 2.0;
   const paving::SeamlessTile tile = paving::seamless_tile(pavement, 7);
   const PixelGrid grid = pixels_over(tile.size_mm, 172, 128);
   const Drawn drawn(pavement, tile.layout.stones, grid, 2, true, 4);

@@ -167,6 +167,72 @@ TEST(TextureMaps, StatisticsAreThoseOfTheGoldenYard) {
   EXPECT_FALSE(agree(golden, small_yard(9.0)));  // a near miss: joints a millimetre wider
 }
 
+// ---- materials
+
+struct Mean {
+  double red = 0.0, green = 0.0, blue = 0.0;
+  double light() const { return 0.2126 * red + 0.7152 * green + 0.0722 * blue; }
+};
+
+// Of the pixels that are all stone, or all joint.
+Mean mean_colour(const paving::Look& look, bool of_stones) {
+  paving::Pavement pavement = square_pavement(512.0);
+  pavement.look = look;
+  pavement.relief.rms_mm = 0.0;
+  const Drawn drawn(pavement, paving::laid_stones(pavement, 7).stones, small_grid, 2);
+  const std::vector<float> colours = drawn.values(Map::base_color);
+  Mean mean;
+  double count = 0.0;
+  for (std::size_t row = 0; row < small_grid.height; ++row) {
+    for (std::size_t column = 0; column < small_grid.width; ++column) {
+      if (drawn.map.cover[drawn.map.index(column, row)] != (of_stones ? 255 : 0)) continue;
+      const float* colour = &colours[3 * (row * small_grid.width + column)];
+      mean.red += static_cast<double>(colour[0]);
+      mean.green += static_cast<double>(colour[1]);
+      mean.blue += static_cast<double>(colour[2]);
+      ++count;
+    }
+  }
+  return {mean.red / count, mean.green / count, mean.blue / count};
+}
+
+// Luminance, and red over blue, of each material: photographs of paving in daylight lie within these, and those of the others
+// out of at least one.
+TEST(TextureMaps, ColoursAreThoseOfTheMaterial) {
+  struct Expected {
+    paving::Material material;
+    double darkest, lightest, least_red, most_red;
+  };
+  const std::vector<Expected> all = {{paving::Material::granite, 0.25, 0.45, 1.0, 1.35},
+                                     {paving::Material::basalt, 0.05, 0.14, 0.8, 1.15},
+                                     {paving::Material::sandstone, 0.20, 0.36, 1.4, 2.2},
+                                     {paving::Material::limestone, 0.30, 0.50, 1.05, 1.39},
+                                     {paving::Material::brick, 0.08, 0.20, 2.2, 5.0}};
+  for (const Expected& expected : all) {
+    const Mean mean = mean_colour({expected.material, {}, {}, 0.0}, true);
+    EXPECT_GT(mean.light(), expected.darkest) << static_cast<int>(expected.material);
+    EXPECT_LT(mean.light(), expected.lightest) << static_cast<int>(expected.material);
+    EXPECT_GT(mean.red / mean.blue, expected.least_red) << static_cast<int>(expected.material);
+    EXPECT_LT(mean.red / mean.blue, expected.most_red) << static_cast<int>(expected.material);
+  }
+}
+
+TEST(TextureMaps, MossIsGreenMortarPaleAndWetIsDark) {
+  const auto joints = [](std::optional<paving::JointFill> fill, std::optional<double> moss, double wetness) {
+    return mean_colour({paving::Material::setts, fill, moss, wetness}, false);
+  };
+  const Mean sand = joints(paving::JointFill::sand, 0.0, 0.0);
+  const Mean mossy = joints(paving::JointFill::sand, 0.9, 0.0);
+  EXPECT_LT(sand.green, sand.red);
+  EXPECT_GT(mossy.green, 1.1 * mossy.red);
+  EXPECT_GT(joints(paving::JointFill::mortar, {}, 0.0).light(), 1.8 * sand.light());
+  EXPECT_LT(joints(paving::JointFill::sand, 0.0, 0.5).light(), 0.6 * sand.light());
+  EXPECT_NEAR(joints({}, {}, 0.0).light(), sand.light(), 1e-9);
+  const auto stones = [](double wetness) { return mean_colour({paving::Material::granite, {}, {}, wetness}, true).light(); };
+  EXPECT_LT(stones(0.5), 0.6 * stones(0.0));
+  EXPECT_LT(stones(0.2), 0.9 * stones(0.0));
+}
+
 // ---- the files
 
 std::string bytes_of(const fs::path& path) {

@@ -29,6 +29,8 @@ class Bed {
   float grain(const Phase& x, const Phase& y) const {
     return 0.8F * grains_.at(x.grain, y.grain) + 0.6F * patches_.at(x.patch, y.patch);
   }
+  // Patches alone: where something grows.
+  float patch(const Phase& x, const Phase& y) const { return patches_.at(x.patch, y.patch); }
   float height_mm(float grain) const { return level_mm_ + grain_mm_ * grain; }
   // No part of it is higher.
   float top_mm() const { return level_mm_ + 8.0F * grain_mm_; }

@@ -17,9 +17,6 @@ namespace {
 
 using relief::PeriodicField;
 
-// Grains of stone are this much coarser than those of sand.
-constexpr double mineral_scale = 1.6;
-
 constexpr std::size_t stones_at_once = 256;
 constexpr std::size_t rows_at_once = 64;
 
@@ -93,16 +90,17 @@ struct Maps::Looks {
   struct Stone {
     vec2 centre{0.0, 0.0};
     vec2 relief_place{0.0, 0.0};
-    double drawn = 0.0;
-    float relief = 1.0F;  // how much is left of it
-    Colour colour;
+    float relief = 1.0F;   // how much is left of it
+    float per_top = 1.0F;  // over its height, 1/mm
+    StoneLook look;
   };
 
   Looks(const Surface& surface, const SurfaceMap& map)
       : grid(map.grid),
         periodic(surface.periodic),
+        palette(surface.pavement.look),
         bed(surface.pavement, surface.fields.grain, map.grid, map.grid.pixel_mm.y),
-        minerals(surface.fields.grain, map.grid.pixel_mm.y / mineral_scale),
+        minerals(surface.fields.grain, map.grid.pixel_mm.y / palette.mineral_mm()),
         relief_side_mm(surface.fields.relief_side_mm),
         laid(laid_surface(surface, map.grid)),
         stones(surface.stones.size()) {
@@ -111,15 +109,17 @@ struct Maps::Looks {
       relief.emplace(surface.fields.relief, map.grid.pixel_mm.y);
       per_rms = static_cast<float>(1.0 / rms_mm);
     }
+    if (palette.cloud_mm() > 0.0) clouds.emplace(surface.fields.grain, map.grid.pixel_mm.y / palette.cloud_mm());
     const paving::StoneSurface& top = surface.pavement.surface;
     // Of the single patch of the highest stone, see paving/stone_surface.h.
-    per_top = static_cast<float>(1.0 / std::max(1e-3, 0.5625 * top.height_mm * (1.0 + top.height_spread)));
-    level = top.height_mm == 0.0;
+    const double highest_mm = 0.5625 * top.height_mm * (1.0 + top.height_spread);
+    level = surface.pavement.body.finish == paving::Finish::none && top.height_mm == 0.0;
     parallel_for_chunks(stones.size(), stones_at_once, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {
         const paving::StoneDraws draws = laid.draws(s);
-        stones[s] = {geometry::centroid(surface.stones[s].outline_mm), draws.relief_place, draws.colour,
-                     static_cast<float>(draws.relief), stone_colour(draws.colour)};
+        stones[s] = {geometry::centroid(surface.stones[s].outline_mm), draws.relief_place, static_cast<float>(draws.relief),
+                     static_cast<float>(1.0 / std::max(1e-3, draws.body ? draws.body->rise_mm : highest_mm)),
+                     palette.stone(draws.colour)};
       }
     });
   }
@@ -133,23 +133,30 @@ struct Maps::Looks {
     const vec2 in_relief = stone.relief_place + from_centre / relief_side_mm;
     if (relief)
       place.relief = stone.relief * per_rms * relief->at(PeriodicField::phase(in_relief.x), PeriodicField::phase(in_relief.y));
-    const vec2 in_grain = stone.relief_place + from_centre / (mineral_scale * grain_side_mm);
-    place.grain = minerals.at(PeriodicField::phase(in_grain.x), PeriodicField::phase(in_grain.y));
+    const auto seen = [&](const PeriodicField& field, double wide_mm) {
+      const vec2 in_field = stone.relief_place + from_centre / (wide_mm * grain_side_mm);
+      return field.at(PeriodicField::phase(in_field.x), PeriodicField::phase(in_field.y));
+    };
+    place.grain = seen(minerals, palette.mineral_mm());
+    if (clouds) place.cloud = seen(*clouds, palette.cloud_mm());
+    if (palette.has_moss()) place.patch = bed_place(column, row).patch;
+    place.from_centre_mm = from_centre;
     if (!laid.is_level()) height -= static_cast<float>(laid.ground(at).height_mm);
-    place.rise = level ? 1.0F : height * per_top;
+    place.rise = level ? 1.0F : height * stone.per_top;
     return place;
   }
 
-  float bed_grain(std::size_t column, std::size_t row) const {
-    return bed.grain(bed.phase_x((static_cast<double>(column) + 0.5) / static_cast<double>(grid.width)),
-                     bed.phase_y((static_cast<double>(row) + 0.5) / static_cast<double>(grid.height)));
+  BedPlace bed_place(std::size_t column, std::size_t row) const {
+    const Bed::Phase x = bed.phase_x((static_cast<double>(column) + 0.5) / static_cast<double>(grid.width));
+    const Bed::Phase y = bed.phase_y((static_cast<double>(row) + 0.5) / static_cast<double>(grid.height));
+    return {bed.grain(x, y), palette.has_moss() ? bed.patch(x, y) : 0.0F};
   }
 
   struct Pixel {
     const Stone* stone = nullptr;  // none: all of it is joint
     float part = 0.0F;             // of the stone
     Place place;                   // on the stone
-    float bed_grain = 0.0F;        // where the stone leaves something
+    BedPlace bed;                  // where the stone leaves something
   };
   Pixel pixel(const SurfaceMap& map, std::size_t column, std::size_t row) const {
     const std::size_t at = map.index(column, row);
@@ -159,19 +166,20 @@ struct Maps::Looks {
       pixel.part = static_cast<float>(map.cover[at]) / 255.0F;
       pixel.place = place(*pixel.stone, column, row, map.height_mm[at]);
     }
-    if (pixel.part < 1.0F) pixel.bed_grain = bed_grain(column, row);
+    if (pixel.part < 1.0F) pixel.bed = bed_place(column, row);
     return pixel;
   }
 
   PixelGrid grid;
   bool periodic;
+  Palette palette;
   Bed bed;
   PeriodicField minerals;
+  std::optional<PeriodicField> clouds;
   double relief_side_mm;
   paving::LaidSurface laid;
   std::optional<PeriodicField> relief;
   float per_rms = 0.0F;
-  float per_top = 1.0F;
   bool level = false;
   std::vector<Stone> stones;
 };
@@ -208,8 +216,9 @@ void Maps::id_colour_row(std::size_t row, std::span<float> values) const {
 void Maps::base_color_row(std::size_t row, std::span<float> values) const {
   for (std::size_t x = 0; x < map_.grid.width; ++x) {
     const Looks::Pixel pixel = looks_->pixel(map_, x, row);
-    Colour colour = pixel.part < 1.0F ? bed_colour(pixel.bed_grain) : Colour{};
-    if (pixel.stone != nullptr) colour = mixed(colour, stone_colour_at(pixel.stone->colour, pixel.place), pixel.part);
+    Colour colour = pixel.part < 1.0F ? looks_->palette.bed_colour(pixel.bed) : Colour{};
+    if (pixel.stone != nullptr)
+      colour = mixed(colour, looks_->palette.stone_colour(pixel.stone->look, pixel.place), pixel.part);
     values[3 * x] = colour.red;
     values[3 * x + 1] = colour.green;
     values[3 * x + 2] = colour.blue;
@@ -219,8 +228,9 @@ void Maps::base_color_row(std::size_t row, std::span<float> values) const {
 void Maps::roughness_row(std::size_t row, std::span<float> values) const {
   for (std::size_t x = 0; x < map_.grid.width; ++x) {
     const Looks::Pixel pixel = looks_->pixel(map_, x, row);
-    values[x] = pixel.part < 1.0F ? bed_roughness(pixel.bed_grain) : 0.0F;
-    if (pixel.stone != nullptr) values[x] += pixel.part * (stone_roughness(pixel.stone->drawn, pixel.place) - values[x]);
+    values[x] = pixel.part < 1.0F ? looks_->palette.bed_roughness(pixel.bed) : 0.0F;
+    if (pixel.stone != nullptr)
+      values[x] += pixel.part * (looks_->palette.stone_roughness(pixel.stone->look, pixel.place) - values[x]);
   }
 }
 

@@ -1,5 +1,9 @@
-// The colours of stones and sand: linear, of the primaries of sRGB.
+// The colours of stones and of what fills their joints: linear, of the primaries of sRGB. After the materials of the POV-Ray
+// target (templates/shatterpave_materials.inc): a stone has there and here the same colour of its own.
 #pragma once
+
+#include "core/vec.h"
+#include "paving/pavement.h"
 
 namespace shatterpave::exporting::textures {
 
@@ -16,22 +20,55 @@ struct Colour {
 // `a` where part is 0, `b` where it is 1.
 Colour mixed(const Colour& a, const Colour& b, float part);
 
-// What is seen of a place, beside its stone's own colour.
+// What is seen of a place of a stone, beside the stone's own colour.
 struct Place {
   float relief = 0.0F;  // height of the relief over its root mean square: deep pits are at −3
   float grain = 0.0F;   // of the minerals, of rms 1
+  float cloud = 0.0F;   // the same, `cloud_mm` wide
   float rise = 1.0F;    // height over that of the highest stone; below 0.5 stones are stained by what lies in the joints
+  float patch = 0.0F;   // of what grows here and there, of rms 1
+  vec2 from_centre_mm{0.0, 0.0};
 };
 
-// The colour of a stone that drew `colour`, 0 … 1: one of the tones that the POV-Ray target knows.
-Colour stone_colour(double colour);
-// As it is at one place of it.
-Colour stone_colour_at(const Colour& stone, const Place& place);
-// Sand, darker between its grains.
-Colour bed_colour(float grain);
+// A place of the filling of the joints; both of rms 1.
+struct BedPlace {
+  float grain = 0.0F;  // high are light, coarse grains
+  float patch = 0.0F;
+};
 
-// 0 is a mirror, 1 is chalk: feet polish what stands out of a stone.
-float stone_roughness(double colour, const Place& place);
-float bed_roughness(float grain);
+// What all places of a stone have in common.
+struct StoneLook {
+  Colour colour;
+  float roughness = 0.5F;
+  vec2 beds_per_mm{0.0, 0.0};  // across its beds, if it has any
+  Colour vein;                 // the colour itself, if it has none
+};
+
+class Palette {
+ public:
+  explicit Palette(const paving::Look& look);
+
+  // Of a stone that drew `colour`, 0 … 1: one of the tones that the POV-Ray target knows.
+  StoneLook stone(double colour) const;
+  Colour stone_colour(const StoneLook& stone, const Place& place) const;
+  // 0 is a mirror, 1 is chalk: feet polish what stands out of a stone, and water lies over all.
+  float stone_roughness(const StoneLook& stone, const Place& place) const;
+
+  Colour bed_colour(const BedPlace& place) const;
+  float bed_roughness(const BedPlace& place) const;
+
+  // How wide the minerals and the clouds of the material are, mm; no clouds: 0.
+  double mineral_mm() const;
+  double cloud_mm() const;
+  bool has_moss() const { return moss_ > 0.0F; }
+
+ private:
+  float mossy(float patch) const;
+
+  paving::Material material_;
+  bool mortar_;
+  float moss_;  // 0 … 1
+  float damp_;  // 0 … 1
+};
 
 }  // namespace shatterpave::exporting::textures

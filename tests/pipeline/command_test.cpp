@@ -89,13 +89,15 @@ outline_mm = [[0, 0], [1500, 100], [1600, 800], [800, 700], [0, 900]]
 holes_mm = [[[300, 300], [500, 300], [500, 500]]]
 [pavement.direction]
 kind = "boundary"
+[pavement.textures]
+size_px = 256
 )";
 
   fs::path root;
 };
 
 TEST_F(Command, WritesTheSameBytesWithAnyThreadsLocaleAndProcessor) {
-  const std::vector<std::string> targets = {"--target", "povray", "--target", "json", "--target", "svg"};
+  const std::vector<std::string> targets = {"--target", "povray", "--target", "json", "--target", "svg", "--target", "textures"};
   const auto exported = [&](const std::string& folder, const std::string& threads,
                             const std::vector<std::string>& environment) {
     std::vector<std::string> arguments = {"export", "s.toml", "-o", folder, "--threads", threads};
@@ -106,7 +108,8 @@ TEST_F(Command, WritesTheSameBytesWithAnyThreadsLocaleAndProcessor) {
     return files_in(root / folder);
   };
   const Files first = exported("one", "1", {});
-  EXPECT_GE(first.size(), 6U);
+  EXPECT_GE(first.size(), 13U);
+  EXPECT_TRUE(first.contains("path_BaseColor.png"));
   EXPECT_EQ(exported("two", "2", {"LC_ALL=de_DE.UTF-8"}), first);
   EXPECT_EQ(exported("seven", "7", {"LC_ALL=tr_TR.UTF-8", without_fma}), first);
   // A twin that must differ, or equality means nothing.

@@ -5,17 +5,14 @@
 //
 // Reads, where they are declared before (as by Declare=Quality=0 on the command line):
 //    Quality   0 for a draft: fewer reflections in the glass; 1 for the picture itself
-//    Caustics  1 to have photons throw the light that cracks bend onto the display below; takes minutes; 0 where not declared
 
 #version 3.7;
 #ifndef(Quality) #declare Quality = 1; #end
-#ifndef(Caustics) #declare Caustics = 0; #end
 global_settings {
    assumed_gamma 1.0
    // Two faces of the slab, and two walls of each of three gaps behind one another with their inner reflections.
    max_trace_level select(Quality - 1, 10, 16)
    adc_bailout 1 / 255
-   #if (Caustics) photons { count 400000 } #end
 }
 
 //@model
@@ -31,7 +28,6 @@ global_settings {
 object {
    Still_Pane(0)
    translate -Middle
-   #if (Caustics) photons { target refraction on reflection on } #end
 }
 
 camera {
@@ -147,7 +143,7 @@ Lamp(<0.8, 3.6, -5.4>, <1.8, 4.4, -5.3>, <0.8, 0.88, 1.0> * 4.5)
 
 // ---- light that dust and frost catch: two lamps of the shop behind the pane, one of the street before it
 
-light_source { <-0.9, 1.3, 1.6> * Size, rgb <1.00, 0.66, 0.36> * 1.25 #if (Caustics) photons { refraction on reflection on } #end }
+light_source { <-0.9, 1.3, 1.6> * Size, rgb <1.00, 0.66, 0.36> * 1.25 }
 light_source { <1.3, 0.5, 1.2> * Size, rgb <1.00, 0.72, 0.45> * 0.75 }
 light_source { <-2.6, 2.0, -2.4> * Size, rgb <0.40, 0.55, 0.85> * 0.55 shadowless }
 

@@ -37,6 +37,9 @@ struct Model {
   std::uint64_t seed = 1;  // for draws that only an exporter needs, such as a stone's place in the relief
   std::vector<BrokenPane> panes;
   std::vector<PavedArea> pavements;
+  // Of the still: whether glass parts colours, and whether light that it bends is thrown on what is behind it.
+  bool dispersion = false;
+  bool caustics = false;
 };
 
 // A file as it shall be, in memory.

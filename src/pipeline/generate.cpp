@@ -16,6 +16,8 @@ exporting::Model generated(const scene::Scene& scene, const Progress& progress) 
   exporting::Model model;
   model.name = scene.name;
   model.setting = scene.still.setting;
+  model.dispersion = scene.still.dispersion;
+  model.caustics = scene.still.caustics;
   model.seed = scene.seed;
   for (const glass::Pane& pane : scene.panes) model.panes.push_back({pane, {}, {}});
   for (const paving::Pavement& pavement : scene.pavements) {

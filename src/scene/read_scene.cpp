@@ -64,8 +64,12 @@ constexpr std::string_view setting_ending = "_still.pov";
 
 Still still_of(const TomlTable& root) {
   Still still;
-  const auto table = root.table("still", {"setting"});
+  const auto table = root.table("still", {"setting", "dispersion", "caustics"});
   const auto setting = table ? table->text("setting") : std::nullopt;
+  if (table) {
+    still.dispersion = table->flag("dispersion").value_or(false);
+    still.caustics = table->flag("caustics").value_or(false);
+  }
   if (!setting || setting->empty()) return still;
   std::string names;
   for (const EmbeddedFile& file : embedded_files()) {

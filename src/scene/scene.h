@@ -14,6 +14,8 @@ namespace shatterpave::scene {
 // which is "window_still" where there is a pane, else "path_still".
 struct Still {
   std::string setting;
+  bool dispersion = false;  // glass parts colours
+  bool caustics = false;    // light that glass bends is thrown on what is behind it
   bool operator==(const Still&) const = default;
 };
 

@@ -25,6 +25,21 @@ const std::map<std::string, Target> target_names = {{"povray", Target::povray},
 const std::map<std::string, pipeline::Quality> quality_names = {{"draft", pipeline::Quality::draft},
                                                                 {"final", pipeline::Quality::final}};
 
+// Takes a name of `values` for the number of its value.
+template <typename Value>
+CLI::Validator one_of(const std::map<std::string, Value>& values) {
+  return {[&values](std::string& text) {
+            if (const auto at = values.find(text); at != values.end()) {
+              text = std::to_string(static_cast<int>(at->second));
+              return std::string();
+            }
+            std::string names;
+            for (const auto& [name, value] : values) names += (names.empty() ? "" : " or ") + name;
+            return fmt::format("expected {}, got {}", names, text);
+          },
+          ""};
+}
+
 constexpr int most_threads = 1024;
 constexpr int most_pixels = 16384;  // a side; POV-Ray keeps the whole picture in memory
 
@@ -129,7 +144,7 @@ CLI::App* add_export(CLI::App& app, Requests& requests) {
   command->add_option("--target", requests.targets, "povray (the default), json, svg, textures or obj; may be repeated")
       ->type_name("TARGET")
       ->allow_extra_args(false)
-      ->transform(CLI::CheckedTransformer(target_names).description(""));
+      ->transform(one_of(target_names));
   add_threads(*command, requests.threads);
   return command;
 }
@@ -146,7 +161,7 @@ CLI::App* add_render(CLI::App& app, Requests& requests) {
   add_output(*command, requests.output);
   command->add_option("--quality", requests.render.quality, "draft (the default, 640x480) or final (1200x900)")
       ->type_name("QUALITY")
-      ->transform(CLI::CheckedTransformer(quality_names).description(""));
+      ->transform(one_of(quality_names));
   command->add_option("--size", requests.size, "Size of the picture in pixels")->type_name("WxH");
   add_threads(*command, requests.threads);
   return command;

@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "export/measures/measures.h"
+#include "pipeline/generate.h"
 #include "pipeline/measure.h"
 #include "pipeline/render.h"
 #include "pipeline/write.h"
@@ -35,7 +36,7 @@ void run(const cli::Export& job, char** argv) {
   }
 }
 
-void run(const cli::Check& job, char** /*argv*/) { static_cast<void>(scene::scene_of_file(job.scene, job.overrides)); }
+void run(const cli::Check& job, char** /*argv*/) { pipeline::require_possible(scene::scene_of_file(job.scene, job.overrides)); }
 
 void run(const cli::Render& job, char** argv) { cli::run_with_rasters(job, argv); }
 

@@ -335,6 +335,9 @@ CrackSurface Builder::surface(std::size_t path, const Walls& walls) const {
   return result;
 }
 
+// A hole for which there is less room is none: its wall would be made of points that fall together on the lattice.
+constexpr double least_hole_radius_mm = 0.05;
+
 ShotHoleShape shot_hole_shape(const Pane& pane, const Impact& impact, double limit_mm) {
   const double spall = impact.spall_mm.value_or(impact.hole_mm + spall_thicknesses * pane.thickness_mm);
   ShotHoleShape shape{impact.at_mm, pane.thickness_mm, 0.5 * impact.hole_mm, 0.5 * std::max(spall, impact.hole_mm)};
@@ -357,6 +360,7 @@ void add_zones(const Pane& pane, const CrackNetwork& network, std::uint64_t seed
     result.zones.push_back({network.impacts[i].at_mm, radius, radius});
     if (i >= pane.impacts.size() || pane.impacts[i].hole_mm == 0.0) continue;
     const ShotHoleShape shape = shot_hole_shape(pane, pane.impacts[i], limits[i]);
+    if (shape.hole_radius_mm < least_hole_radius_mm) continue;
     result.shot_holes.push_back(shot_hole(shape, seed, Id(pane.name).child("shot_hole").child(i)));
     result.zones.back().radius_mm = widest_mm(shape, -0.5 * pane.thickness_mm) + shot_hole_clearance_mm;
     result.zones.back().start_mm = widest_mm(shape, 0.5 * pane.thickness_mm) + shot_hole_clearance_mm;

@@ -275,7 +275,9 @@ class Running {
   std::vector<bool> reached_;        // corners that a crack went through, or started from
 };
 
-void require_few_enough(const Pane& pane) {
+}  // namespace
+
+void require_few_fragments(const Pane& pane) {
   const double count = geometry::area(pane.outline_mm) / 2500.0 * fragment_count(pane);
   if (count <= most_fragments) return;
   throw InputError(
@@ -283,10 +285,8 @@ void require_few_enough(const Pane& pane) {
       fmt::format("expected a pane of tempered glass of at most {:.0f} fragments, got one of {:.0f}", most_fragments, count));
 }
 
-}  // namespace
-
 CrackNetwork diced_pane(const Pane& pane, std::uint64_t seed) {
-  require_few_enough(pane);
+  require_few_fragments(pane);
   CrackNetwork network;
   for (const Impact& impact : pane.impacts) network.impacts.emplace_back().at_mm = geometry::on_lattice(impact.at_mm);
   if (pane.impacts.empty()) return network;

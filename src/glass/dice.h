@@ -18,6 +18,9 @@ inline constexpr double most_fragments = 1e6;
 // fragments but for those that the edge bounds.
 //
 // Throws InputError for panes with more than most_fragments.
+// Throws InputError where a pane of tempered glass would fall into more pieces than there may be.
+void require_few_fragments(const Pane& pane);
+
 CrackNetwork diced_pane(const Pane& pane, std::uint64_t seed);
 
 }  // namespace shatterpave::glass

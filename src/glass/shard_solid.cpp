@@ -10,6 +10,7 @@
 #include <span>
 
 #include "geometry/clip.h"
+#include "geometry/simple.h"
 #include "geometry/triangulation.h"
 #include "glass/shards.h"
 
@@ -102,8 +103,13 @@ std::optional<LatticeRing> small_face(const ShardBlank& blank, const ShardRules&
   if (sharp == inner.end()) return std::nullopt;
   const std::vector<Region> chipped = geometry::difference(*sharp, geometry::united(bites(blank, rules, face, seed)));
   const auto left = largest(chipped);
-  if (left == chipped.end() || !left->holes.empty()) return std::nullopt;
-  return geometry::lattice_rings(*left).front();
+  if (left == chipped.end()) return std::nullopt;
+  // Rounding to the lattice can make a ring cross itself where a bite leaves a hair of glass. Then the edge stays without
+  // chips.
+  for (const Region& small : {*left, *sharp}) {
+    if (small.holes.empty() && !geometry::region_fault(small.outline, {})) return geometry::lattice_rings(small).front();
+  }
+  return std::nullopt;
 }
 
 // Builds the surface from rings, each of which is a run of vertices.

@@ -185,17 +185,20 @@ void append_bordered_bond(const Pavement& pavement, std::uint64_t seed, StoneLay
 
 }  // namespace
 
-StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
+void require_layable(const Pavement& pavement) {
   check(pavement);
-  const geometry::RegionIndex area(pavement.area);
-  const double expected = expected_stones(pavement, area);
+  const double expected = expected_stones(pavement, geometry::RegionIndex(pavement.area));
   if (expected > most_stones) {
     throw InputError(place_of(pavement),
                      fmt::format("expected at most {:.0f} stones, got an area for about {:.0f}", most_stones, expected));
   }
+}
+
+StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
+  require_layable(pavement);
   StoneLayout layout;
   if (pavement.border.course == BorderCourse::none) {
-    append_bond(pavement, area, seed, layout);
+    append_bond(pavement, geometry::RegionIndex(pavement.area), seed, layout);
   } else {
     append_bordered_bond(pavement, seed, layout);
   }

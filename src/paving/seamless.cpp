@@ -106,8 +106,13 @@ std::optional<Fit> fit_to(const Repetition& repetition, vec2 size_mm) {
 Fit fit_of(const Pavement& pavement, const Repetition& repetition) {
   const double near_mm = stones_to_a_tile * std::max(pitch_mm(pavement).x, pitch_mm(pavement).y);
   const vec2 wanted = pavement.textures.tile_mm.value_or(vec2{near_mm, near_mm});
-  const auto width = fitting_length(repetition, {1.0, 0.0}, wanted.x);
-  const auto height = fitting_length(repetition, {0.0, 1.0}, wanted.y);
+  // A tile that is too small for any stone says nothing about directions.
+  const auto fitting = [&](vec2 axis, double length_mm) {
+    const auto found = fitting_length(repetition, axis, length_mm);
+    return found ? found : fitting_length(repetition, axis, near_mm);
+  };
+  const auto width = fitting({1.0, 0.0}, wanted.x);
+  const auto height = fitting({0.0, 1.0}, wanted.y);
   if (!width || !height) {
     throw InputError(place_of(pavement),
                      "textures.seamless: expected rows in a direction in which the bond repeats along x and y, such as 0, 45 "

@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "glass/crack_surface.h"
+#include "glass/dice.h"
 #include "glass/growth.h"
 #include "glass/shards.h"
 #include "paving/kerb.h"
@@ -11,6 +12,17 @@
 #include "paving/seamless.h"
 
 namespace shatterpave::pipeline {
+
+void require_possible(const scene::Scene& scene) {
+  for (const glass::Pane& pane : scene.panes) {
+    if (pane.glass == glass::GlassKind::tempered) glass::require_few_fragments(pane);
+  }
+  for (const paving::Pavement& pavement : scene.pavements) {
+    paving::require_layable(pavement);
+    if (pavement.kerb.width_mm > 0.0) paving::require_layable(paving::kerb(pavement));
+    if (pavement.textures.seamless) static_cast<void>(paving::seamless_tile(pavement, scene.seed));
+  }
+}
 
 exporting::Model generated(const scene::Scene& scene, const Progress& progress) {
   exporting::Model model;

@@ -7,6 +7,10 @@
 
 namespace shatterpave::pipeline {
 
+// Throws InputError where what `generated` would refuse can be told without making it: what `check` looks for beyond the file
+// itself.
+void require_possible(const scene::Scene& scene);
+
 exporting::Model generated(const scene::Scene& scene, const Progress& progress = {});
 
 }  // namespace shatterpave::pipeline

@@ -59,7 +59,8 @@ class PovrayOutput {
   // Not the frame of the output, nor "Parsing 1024K tokens" and "Photon count 1024", which are progress.
   bool is_message() const {
     const bool parsing = line_.starts_with("Parsing ") && line_.ends_with("K tokens");
-    return !line_.empty() && !parsing && !line_.starts_with("Photon count ") && !line_.starts_with("----") && line_ != "POV-Ray finished" && line_ != "Render failed";
+    return !line_.empty() && !parsing && !line_.starts_with("Photon count ") && !line_.starts_with("----") &&
+           line_ != "POV-Ray finished" && line_ != "Render failed";
   }
 
   // Rendered 1024 of 1080000 pixels (0%)

@@ -58,6 +58,7 @@ void put_back(const Workplace& workplace, const std::string& name, const fs::pat
 }  // namespace
 
 void require_output_folder(const fs::path& folder) {
+  if (folder.empty()) throw InputError("expected an output folder, got an empty name");
   for (fs::path p = folder; !p.empty(); p = p.parent_path()) {
     std::error_code error;
     const fs::file_status status = fs::status(p, error);
@@ -137,7 +138,11 @@ std::vector<fs::path> written_outputs(const exporting::Outputs& outputs, const f
   Workplace workplace(output);
   std::vector<std::string> names;
   const auto take = [&](const std::string& name) {
-    ENSURE(name == fs::path(name).filename() && std::ranges::find(names, name) == names.end());
+    ENSURE(name == fs::path(name).filename());
+    if (std::ranges::find(names, name) != names.end()) {
+      throw InputError(fmt::format(
+          "names: expected other ones of the scene and of what is in it, got such that two files are called '{}'", name));
+    }
     names.push_back(name);
   };
   for (const exporting::OutputFile& file : outputs.files) {

@@ -1,5 +1,7 @@
 #include "scene/stone_keys.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "paving/finishes.h"
@@ -7,6 +9,9 @@
 namespace shatterpave::scene {
 
 namespace {
+
+// Half of it is joint at the most, and stones are at least a millimetre wide.
+constexpr double least_kerb_mm = 2.0;
 
 void read_finish(const TomlTable& surface, paving::Pavement& pavement) {
   const auto chosen = surface.choice("finish", {"flat_sawn", "bush_hammered", "split", "river_worn"});
@@ -116,6 +121,9 @@ paving::Kerb kerb_of(const TomlTable& pavement) {
   const auto table = ground_table(pavement);
   if (!table) return kerb;
   table->read("kerb_width_mm", {0.0, 10'000.0}, kerb.width_mm);
+  if (kerb.width_mm > 0.0 && kerb.width_mm < least_kerb_mm) {
+    refuse(table->place("kerb_width_mm"), fmt::format("0, or {} or more", least_kerb_mm), fmt::format("{}", kerb.width_mm));
+  }
   table->read("kerb_length_mm", {1.0, 100'000.0}, kerb.length_mm);
   table->read("kerb_height_mm", {0.0, 1000.0}, kerb.height_mm);
   return kerb;

@@ -300,6 +300,29 @@ TEST(SurfaceMap, StonesAndJointsSinkWithTheGround) {
   EXPECT_GT(off(0.8), 4.0);  // the twin
 }
 
+// Grains are so wide in mm, whatever the pixels: between pixels a tenth as far apart the sand rises by a tenth, or less where
+// it is smooth.
+TEST(SurfaceMap, SandIsSmoothWherePixelsAreFinerThanItsGrains) {
+  paving::Pavement pavement = square_pavement(1000.0);
+  pavement.joint_mm = 200.0;
+  const auto stones = paving::laid_stones(pavement, 7).stones;
+  const auto mean_step = [&](double pixel_mm) {
+    const Drawn drawn(pavement, stones, {{2.0, 2.0}, {pixel_mm, pixel_mm}, 64, 64}, 1);
+    double sum = 0.0;
+    for (std::size_t row = 0; row < 64; ++row) {
+      for (std::size_t column = 0; column + 1 < 64; ++column) {
+        const std::size_t at = drawn.map.index(column, row);
+        EXPECT_EQ(drawn.map.stone[at], 0U);
+        sum += static_cast<double>(std::abs(drawn.map.height_mm[at + 1] - drawn.map.height_mm[at]));
+      }
+    }
+    return sum / (64.0 * 63.0);
+  };
+  const double coarse = mean_step(0.2);
+  EXPECT_GT(coarse, 0.01);
+  EXPECT_LT(mean_step(0.02), 0.15 * coarse);
+}
+
 TEST(SurfaceMap, SeamlessTileMeetsItself) {
   paving::Pavement pavement = square_pavement(1000.0);
   pavement.bonding.bond = paving::Bond::running;

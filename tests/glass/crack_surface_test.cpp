@@ -270,6 +270,16 @@ std::vector<Triangle> triangles_of(const ShotHole& shot_hole, std::size_t body) 
 
 // A shot: cracks start at the wall of its hole at any depth, and the hole is closed, faces outward and is wider on the far
 // side.
+TEST(CrackSurface, AHoleWithoutRoomIsNone) {
+  Pane pane = pane_with(24);
+  pane.impacts[0].hole_mm = 0.01;
+  EXPECT_TRUE(crack_surfaces(pane, grown_cracks(pane, 7), 7).shot_holes.empty());
+  pane.impacts[0].hole_mm = 5.0;
+  EXPECT_EQ(crack_surfaces(pane, grown_cracks(pane, 7), 7).shot_holes.size(), 1U);
+  pane.impacts[0].at_mm = pane.outline_mm.front() + vec2{0.001, 0.001};
+  EXPECT_TRUE(crack_surfaces(pane, grown_cracks(pane, 7), 7).shot_holes.empty());
+}
+
 TEST(CrackSurface, KeepClearOfTheShotHole) {
   Pane pane = pane_with(60);
   pane.impacts[0].hole_mm = 5.0;

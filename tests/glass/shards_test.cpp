@@ -216,6 +216,25 @@ TEST(Shards, OfOddPanesAreClosed) {
   EXPECT_GT(count, 300U);
 }
 
+// Chips are as large as these dice: what rounding to the lattice leaves of a bitten face crosses itself on one of some hundred.
+TEST(Shards, OfFineDiceAreClosed) {
+  Pane pane = random_pane(1, {1, 1});
+  pane.outline_mm = {{0.0, 0.0}, {150.0, 0.0}, {150.0, 150.0}, {0.0, 150.0}};
+  pane.impacts.front().at_mm = {75.0, 75.0};
+  pane.glass = GlassKind::tempered;
+  pane.tempering.count_per_square = 150.0;
+  pane.shards = ShardRules{};
+  pane.shards->missing = 0.0;
+  for (const std::uint64_t seed : {1U, 3U}) {
+    const std::vector<Shard> all = shards(pane, grown_cracks(pane, seed), seed);
+    EXPECT_GT(all.size(), 800U);
+    for (const Shard& shard : all) {
+      EXPECT_TRUE(is_closed(shard.solid)) << seed << ' ' << shard.id;
+      EXPECT_TRUE(sextuple_volume(shard.solid) > 0) << seed << ' ' << shard.id;
+    }
+  }
+}
+
 // The check by sections is not blind: a vertex moved inwards by 1 µm changes one volume as the other, but a face turned over or
 // left out does not.
 TEST(Shards, CheckOfVolumesSeesFaults) {

@@ -97,7 +97,8 @@ size_px = 256
 };
 
 TEST_F(Command, WritesTheSameBytesWithAnyThreadsLocaleAndProcessor) {
-  const std::vector<std::string> targets = {"--target", "povray", "--target", "json", "--target", "svg", "--target", "textures"};
+  const std::vector<std::string> targets = {"--target", "povray", "--target", "json",
+                                            "--target", "svg",    "--target", "textures"};
   const auto exported = [&](const std::string& folder, const std::string& threads,
                             const std::vector<std::string>& environment) {
     std::vector<std::string> arguments = {"export", "s.toml", "-o", folder, "--threads", threads};
@@ -146,6 +147,7 @@ TEST_F(Command, PrintsOneLineForEachFileAndNothingElse) {
 
 TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
   write_file(root / "a_file", "x");
+  write_file(root / "path_textures.toml", scene);
   write_file(root / "bad.toml", "[[pane]]\nname = \"w\"\nsize_mm = [nan, 9]\n");
   const Files before = files_in(root);
   const auto expect = [&](const std::vector<std::string>& arguments, const std::string& message) {
@@ -159,6 +161,18 @@ TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
          "bad.toml:3:12: pane[0].size_mm[0]: expected a number above 0 and of at most 1000000, got nan");
   expect({"render", "none.toml", "-o", "out"}, "none.toml: expected a file, got none of that name");
   expect({"export", "s.toml", "-o", "a_file"}, "a_file: expected an output folder, got a file: a_file");
+  expect({"export", "s.toml", "-o", ""}, "expected an output folder, got an empty name");
+  expect({"export", "s.toml", "-o", "out", "--target", "json", "--target", "svg", "--set", "pane[1].name=shatterpave_glass"},
+         "--set pane[1].name=shatterpave_glass: pane[1].name: expected a name that no file of materials has, got "
+         "\"shatterpave_glass.inc\"");
+  expect({"export", "path_textures.toml", "-o", "out", "--target", "json", "--target", "textures"},
+         "names: expected other ones of the scene and of what is in it, got such that two files are called "
+         "'path_textures.json'");
+  // What laying would refuse, checking does.
+  expect({"check", "s.toml", "--set", "pavement.path.stone_mm=[50, 100]", "--set", "pavement.path.bond=herringbone"},
+         "pavement 'path': stone_mm: expected stones at least as long as wide for this bond, got [50, 100]");
+  expect({"export", "s.toml", "-o", "out", "--target", "foo"},
+         "shatterpave: --target: expected json or obj or povray or svg or textures, got foo (see shatterpave --help)");
   expect({"export", "s.toml", "-o", "out", "--seed", "-1"},
          "--seed -1: seed: expected a whole number from 0 to 9223372036854775807, got -1");
   expect({"check", "s.toml", "--set", "pane[0].thickness_mm=nan"},

@@ -18,17 +18,19 @@ constexpr double part_of_level = 0.4;
 // Patches of damp and of what was swept in are this much larger than grains; by eye.
 constexpr double patch_scale = 12.0;
 
-vec2 whole_repeats(vec2 size_mm, double side_mm) {
-  return {std::max(1.0, std::round(size_mm.x / side_mm)), std::max(1.0, std::round(size_mm.y / side_mm))};
+vec2 repeats(vec2 size_mm, double side_mm, bool periodic) {
+  const vec2 exact = size_mm / side_mm;
+  return periodic ? glm::max(vec2{1.0, 1.0}, glm::round(exact)) : exact;
 }
 
 }  // namespace
 
-Bed::Bed(const paving::Pavement& pavement, const relief::HeightField& grains, const PixelGrid& grid, double sampled_mm)
+Bed::Bed(const paving::Pavement& pavement, const relief::HeightField& grains, const PixelGrid& grid, bool periodic,
+         double sampled_mm)
     : grains_(grains, sampled_mm),
       patches_(grains, sampled_mm / patch_scale),
-      grain_repeats_(whole_repeats(grid.size_mm(), grain_side_mm)),
-      patch_repeats_(whole_repeats(grid.size_mm(), patch_scale * grain_side_mm)),
+      grain_repeats_(repeats(grid.size_mm(), grain_side_mm, periodic)),
+      patch_repeats_(repeats(grid.size_mm(), patch_scale * grain_side_mm, periodic)),
       level_mm_(static_cast<float>(paving::bed_level_mm(pavement))),
       grain_mm_(static_cast<float>(std::min(sand_rms_mm, part_of_level * paving::bed_level_mm(pavement)))) {}
 

@@ -17,9 +17,10 @@ class Bed {
     std::uint32_t patch = 0;
   };
 
-  // For places `sampled_mm` apart. Grains and patches repeat a whole number of times over the window, so that they meet
-  // themselves.
-  Bed(const paving::Pavement& pavement, const relief::HeightField& grains, const PixelGrid& grid, double sampled_mm);
+  // For places `sampled_mm` apart. Over a window that is a tile, grains and patches repeat a whole number of times, so that
+  // they meet themselves.
+  Bed(const paving::Pavement& pavement, const relief::HeightField& grains, const PixelGrid& grid, bool periodic,
+      double sampled_mm);
 
   // For a place of the window, in parts of its size from the upper left corner.
   Phase phase_x(double part) const { return phase(part, grain_repeats_.x, patch_repeats_.x); }

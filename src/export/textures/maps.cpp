@@ -99,7 +99,7 @@ struct Maps::Looks {
       : grid(map.grid),
         periodic(surface.periodic),
         palette(surface.pavement.look),
-        bed(surface.pavement, surface.fields.grain, map.grid, map.grid.pixel_mm.y),
+        bed(surface.pavement, surface.fields.grain, map.grid, surface.periodic, map.grid.pixel_mm.y),
         minerals(surface.fields.grain, map.grid.pixel_mm.y / palette.mineral_mm()),
         relief_side_mm(surface.fields.relief_side_mm),
         laid(laid_surface(surface, map.grid)),

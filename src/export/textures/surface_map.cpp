@@ -71,7 +71,7 @@ class Drawing {
       : surface_(surface),
         samples_(samples),
         map_(map),
-        bed_(surface.pavement, surface.fields.grain, map.grid, sample_mm().y),
+        bed_(surface.pavement, surface.fields.grain, map.grid, surface.periodic, sample_mm().y),
         laid_(laid_surface(surface, map.grid)) {
     if (surface.pavement.relief.rms_mm > 0.0) relief_.emplace(surface.fields.relief, sample_mm().y);
     placed_ = placed_stones(surface, window(), map.grid.size_mm());

@@ -320,11 +320,11 @@ double extent_mm(const Pane& pane) {
 }  // namespace
 
 void let_fall(const Pane& pane, std::vector<Shard>& shards, std::uint64_t seed) {
-  const auto falling = std::ranges::count(shards, ShardState::fallen, &Shard::state);
-  if (falling == 0) return;
-  if (falling > most_falling) {
+  const auto count = std::ranges::count(shards, ShardState::fallen, &Shard::state);
+  if (count == 0) return;
+  if (count > most_falling) {
     throw InputError(Place{"", 0, 0, pane.name + ".shards"},
-                     fmt::format("expected at most {} pieces that fall to sill and floor, got {}", most_falling, falling));
+                     fmt::format("expected at most {} pieces that fall to sill and floor, got {}", most_falling, count));
   }
   Scene scene(extent_mm(pane));
   add_surroundings(scene, pane);

@@ -81,9 +81,10 @@ std::string model_text(const Model& model, const std::vector<std::string>& panes
   for (const BrokenPane& broken : model.panes) text += fmt::format("#include \"{}.inc\"\n", broken.pane.name);
   for (const PavedArea& paved : model.pavements) text += fmt::format("#include \"{}.inc\"\n", paved.pavement.name);
   text += fmt::format("#declare Still_Pane_Count = {};\n#declare Still_Pavement_Count = {};\n", panes.size(), pavements.size());
-  text += choice("Still_Pane(I)",
-                 each(panes, model.caustics ? "object {{ {}_Pane photons {{ target refraction on reflection on collect off }} }}"
-                                            : "object {{ {}_Pane }}"));
+  text +=
+      choice("Still_Pane(I)",
+             each(panes, model.caustics ? "object {{ {}_Pane photons {{ target refraction on reflection on collect off }} }}"
+                                        : "object {{ {}_Pane }}"));
   text += array("Still_Pane_Min", each(panes, "{}_Min"));
   text += array("Still_Pane_Max", each(panes, "{}_Max"));
   text += array("Still_Pane_Rectangular", each(panes, "{}_Rectangular"));

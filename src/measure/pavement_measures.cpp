@@ -33,11 +33,13 @@ constexpr double widest_joint = 3.0;
 constexpr double joint_at = 0.4;
 
 bool has_straight_sides(Bond bond) {
-  return bond != Bond::hexagon && bond != Bond::segmental_arc && bond != Bond::fan && bond != Bond::crazy;
+  return bond != Bond::hexagon && bond != Bond::segmental_arc && bond != Bond::fan && bond != Bond::crazy &&
+         bond != Bond::course;
 }
 
 bool has_one_size(Bond bond) {
-  return bond != Bond::ashlar && bond != Bond::segmental_arc && bond != Bond::fan && bond != Bond::crazy;
+  return bond != Bond::ashlar && bond != Bond::segmental_arc && bond != Bond::fan && bond != Bond::crazy &&
+         bond != Bond::course;
 }
 
 bool is_rows(Bond bond) { return bond == Bond::running || bond == Bond::stack; }

@@ -7,6 +7,7 @@
 #include "paving/bond_courses.h"
 #include "paving/bond_patterns.h"
 #include "paving/bond_rings.h"
+#include "paving/border.h"
 #include "paving/packing.h"
 
 namespace shatterpave::paving {
@@ -71,6 +72,7 @@ Pattern pattern_of(const Pavement& pavement) {
     case Bond::packed:
     case Bond::ashlar:
     case Bond::crazy:
+    case Bond::course:
       break;
   }
   ENSURE(false);
@@ -92,7 +94,7 @@ Angle main_direction(const Pavement& pavement) {
 
 std::optional<Pattern> periodic_pattern(const Pavement& pavement) {
   const Bond bond = pavement.bonding.bond;
-  if (bond == Bond::ashlar || bond == Bond::crazy) return std::nullopt;
+  if (bond == Bond::ashlar || bond == Bond::crazy || bond == Bond::course) return std::nullopt;
   const bool straight = std::holds_alternative<ConstantDirection>(pavement.direction);
   if (!straight && (is_rows(bond) || bond == Bond::packed)) return std::nullopt;
   return bond == Bond::packed ? rows_pattern(pitch_mm(pavement), 0.0) : pattern_of(pavement);
@@ -106,6 +108,12 @@ Angle pattern_direction(const Pavement& pavement) {
 
 std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed) {
   const Bonding& bonding = pavement.bonding;
+  if (bonding.bond == Bond::course) {
+    Pavement filled = pavement;
+    filled.area.holes.clear();
+    filled.border = {BorderCourse::stretcher, pavement.stone_mm};
+    return border_tiles(filled, {pavement.area});
+  }
   const auto* radial = std::get_if<RadialDirection>(&pavement.direction);
   if (radial != nullptr && is_rows(bonding.bond)) {
     return ring_tiles(pitch_mm(pavement), radial->centre_mm, row_offset(bonding), area);

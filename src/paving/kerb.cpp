@@ -38,7 +38,7 @@ Pavement kerb(const Pavement& pavement) {
   result.area = {outer.front().outline, {hole}};
   result.direction = BoundaryDirection{};
   result.bonding = {};
-  result.bonding.bond = Bond::running;
+  result.bonding.bond = Bond::course;
   result.border = {};
   result.variation = {};
   result.variation.tilt = Angle();

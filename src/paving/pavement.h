@@ -48,7 +48,8 @@ enum class Bond {
   segmental_arc,  // rows of setts in flat arcs, side by side
   fan,            // setts in rings about the feet of fans, which overlap like scales
   ashlar,         // rectangles of several sizes, mixed at random
-  crazy           // irregular polygons (Voronoi cells, as §5 of Miyata and Itoh suggests for natural stone)
+  crazy,          // irregular polygons (Voronoi cells, as §5 of Miyata and Itoh suggests for natural stone)
+  course          // one row along the outline of a ring, mitred at its corners: kerbs, which no scene asks for by this name
 };
 
 struct Bonding {

@@ -143,7 +143,7 @@ bool is_drawn(const paving::Pavement& pavement) {
   const paving::Variation& variation = pavement.variation;
   const paving::Bond bond = pavement.bonding.bond;
   if (variation.size > 0.0 || variation.rotation > Angle() || variation.offset_mm > 0.0 || variation.missing > 0.0) return true;
-  if (bond == paving::Bond::ashlar || bond == paving::Bond::crazy) return true;
+  if (bond == paving::Bond::ashlar || bond == paving::Bond::crazy || bond == paving::Bond::course) return true;
   return bond == paving::Bond::packed && !std::holds_alternative<paving::ConstantDirection>(pavement.direction);
 }
 

@@ -10,6 +10,8 @@
 #include "paving/finishes.h"
 #include "paving/ground.h"
 #include "paving/kerb.h"
+#include "paving/laying.h"
+#include "paving/layout_quality.h"
 #include "paving/patch_seams.h"
 #include "paving/stone_surface.h"
 #include "paving/wear.h"
@@ -268,6 +270,28 @@ TEST(Ground, SettlementIsSmoothAndWithinItsRange) {
   EXPECT_LT(lowest, -27.0);
   EXPECT_GT(highest, -3.0);
   EXPECT_EQ(settlement(Ground{}, 5, {100, 100}).height_mm, 0.0);
+}
+
+// Rows of stones of their length, or a little off it, from mitre to mitre.
+TEST(Kerb, IsOfStonesOfItsLengthMitredAtCorners) {
+  for (const double length_mm : {300.0, 900.0, 2000.0}) {
+    Pavement pavement;
+    pavement.name = "path";
+    pavement.area.outline = {{0, 0}, {5000, 0}, {5000, 3000}, {0, 3000}};
+    pavement.kerb = {120.0, length_mm, 0.0};
+    const Pavement stones = kerb(pavement);
+    const StoneLayout layout = laid_stones(stones, 7);
+    EXPECT_EQ(faults(stones, layout).total(), 0U);
+    double covered = 0.0;
+    for (const Stone& stone : layout.stones) {
+      const geometry::Box box = geometry::bounding_box(stone.outline_mm);
+      const vec2 size = box.high - box.low;
+      EXPECT_LT(std::min(size.x, size.y), 121.0) << "round the corner";
+      EXPECT_NEAR(std::max(size.x, size.y), length_mm, 0.3 * length_mm + 120.0);
+      covered += geometry::area(stone.outline_mm);
+    }
+    EXPECT_GT(covered, 0.93 * geometry::area(stones.area));
+  }
 }
 
 TEST(Kerb, SurroundsThePavementAndRisesAsAsked) {

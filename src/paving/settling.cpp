@@ -28,7 +28,7 @@ namespace shatterpave::paving {
 namespace {
 
 // By trial on all plans of benchmarks/packing_quality: 20 change nothing that can be seen.
-constexpr int sweeps = 10;
+constexpr int corner_sweeps = 10;
 // How much more a misdirected side counts than one too long or too short, and a stone too large or too small. By trial on all
 // plans of benchmarks/packing_quality: with areas unheeded they spread half as much again; with more for them, or for
 // directions, runs of Ts are drawn off their lines, so that more stones have five corners.
@@ -51,7 +51,7 @@ constexpr int straightenings = 40;
 // A corner this near to a line lies on it but for rounding to the lattice.
 constexpr double rounding_mm = 0.002;
 
-constexpr std::uint32_t none = UINT32_MAX;
+constexpr std::uint32_t nothing = UINT32_MAX;
 
 // What a corner wishes for: a neighbour corner at `offset`, where `length_weight` may be 0.
 struct Wish {
@@ -68,7 +68,7 @@ struct Vertex {
   std::uint32_t after = 0;
 };
 
-struct Wall {
+struct CornerWall {
   std::uint32_t corner = 0;
   vec2 point{0.0, 0.0};
   vec2 normal{0.0, 0.0};
@@ -76,12 +76,12 @@ struct Wall {
 
 // A corner at which a joint ends on the straight side of `cell`.
 struct Tee {
-  std::uint32_t corner = none;
-  std::uint32_t cell = none;
-  std::uint32_t last = none;  // the corners of the cell next to it
-  std::uint32_t next = none;
-  std::uint32_t before = none;  // the ends of the side: the nearest corners that are no Ts on it
-  std::uint32_t after = none;
+  std::uint32_t corner = nothing;
+  std::uint32_t cell = nothing;
+  std::uint32_t last = nothing;  // the corners of the cell next to it
+  std::uint32_t next = nothing;
+  std::uint32_t before = nothing;  // the ends of the side: the nearest corners that are no Ts on it
+  std::uint32_t after = nothing;
 };
 
 class Settling {
@@ -100,7 +100,7 @@ class Settling {
     find_walls();
     original_ = cells_.corners;
     collect_vertices();
-    for (int sweep = 0; sweep < sweeps; ++sweep) move_corners(sweep % 2 == 1);
+    for (int sweep = 0; sweep < corner_sweeps; ++sweep) move_corners(sweep % 2 == 1);
     for (int pass = 0; pass < straightenings; ++pass) {
       for (const Tee& tee : tees_) straighten(tee);
     }
@@ -177,10 +177,10 @@ class Settling {
       found.push_back({cosine_at(cell, side), {corner, cell, before, after, before, after}});
     });
     std::ranges::stable_sort(found, {}, &std::pair<double, Tee>::first);
-    tee_at_.assign(cells_.corners.size(), none);
+    tee_at_.assign(cells_.corners.size(), nothing);
     std::vector<std::uint32_t> tees_of(cells_.count(), 0);
     for (const auto& [cosine, tee] : found) {
-      if (tee_at_[tee.corner] != none || corners_of(tee.cell) - tees_of[tee.cell] < 5) continue;
+      if (tee_at_[tee.corner] != nothing || corners_of(tee.cell) - tees_of[tee.cell] < 5) continue;
       ++tees_of[tee.cell];
       tee_at_[tee.corner] = static_cast<std::uint32_t>(tees_.size());
       tees_.push_back(tee);
@@ -192,7 +192,7 @@ class Settling {
   }
 
   bool is_tee_of(std::uint32_t cell, std::uint32_t corner) const {
-    return tee_at_[corner] != none && tees_[tee_at_[corner]].cell == cell;
+    return tee_at_[corner] != nothing && tees_[tee_at_[corner]].cell == cell;
   }
 
   std::size_t corners_of(std::uint32_t cell) const { return cells_.first[cell + 1] - cells_.first[cell]; }
@@ -208,7 +208,7 @@ class Settling {
   // The T on whose side these two corners follow one another, if any; only the whole of that side has a length to be.
   const Tee* tee_between(std::uint32_t from, std::uint32_t to) const {
     const auto follow = [this](std::uint32_t end, std::uint32_t other) {
-      return tee_at_[end] != none && (other == tees_[tee_at_[end]].last || other == tees_[tee_at_[end]].next);
+      return tee_at_[end] != nothing && (other == tees_[tee_at_[end]].last || other == tees_[tee_at_[end]].next);
     };
     if (follow(from, to)) return &tees_[tee_at_[from]];
     return follow(to, from) ? &tees_[tee_at_[to]] : nullptr;
@@ -295,7 +295,7 @@ class Settling {
 
   void add_wall(std::uint32_t corner, vec2 axis, const std::vector<std::size_t>& near) {
     double best = 1e300;
-    Wall wall;
+    CornerWall wall;
     for (const std::size_t s : near) {
       const auto& segment = area_.segments()[s];
       const vec2 tangent = (segment.to - segment.from) / glm::length(segment.to - segment.from);
@@ -353,7 +353,7 @@ class Settling {
       if (rate < 1e-3) continue;
       demand(growth / rate, (pitch_.x * pitch_.y - area_mm2_[vertices_[v].cell]) / rate, area_weight);
     }
-    const auto wall = std::ranges::lower_bound(walls_, corner, {}, &Wall::corner);
+    const auto wall = std::ranges::lower_bound(walls_, corner, {}, &CornerWall::corner);
     for (auto w = wall; w != walls_.end() && w->corner == corner; ++w) {
       demand(w->normal, glm::dot(w->normal, w->point - origin), border_weight);
     }
@@ -384,7 +384,7 @@ class Settling {
   void straighten(const Tee& tee) {
     if (!is_beside(tee)) return;
     const vec2 d = cells_.corners[tee.after] - cells_.corners[tee.before];
-    const bool alone = tee_at_[tee.before] == none && tee_at_[tee.after] == none;
+    const bool alone = tee_at_[tee.before] == nothing && tee_at_[tee.after] == nothing;
     const double most = alone ? 0.0 : bulge_mm_ - rounding_mm;
     const double bulge = bulge_mm(tee);
     cells_.corners[tee.corner] += (bulge - std::clamp(bulge, -most, most)) / glm::length(d) * left_of(d);
@@ -393,7 +393,7 @@ class Settling {
   void snap_to_walls() {
     // Twice, so that a corner between two borders that are not quite at right angles reaches both.
     for (int pass = 0; pass < 2; ++pass) {
-      for (const Wall& wall : walls_) {
+      for (const CornerWall& wall : walls_) {
         vec2& corner = cells_.corners[wall.corner];
         corner -= glm::dot(corner - wall.point, wall.normal) * wall.normal;
       }
@@ -466,9 +466,9 @@ class Settling {
   std::vector<Wish> wishes_;
   std::vector<std::size_t> first_vertex_;  // the same of vertices
   std::vector<Vertex> vertices_;
-  std::vector<double> area_mm2_;  // of a regular cell
-  std::vector<vec2> original_;    // corners as packing left them
-  std::vector<Wall> walls_;       // by corner, ascending
+  std::vector<double> area_mm2_;   // of a regular cell
+  std::vector<vec2> original_;     // corners as packing left them
+  std::vector<CornerWall> walls_;  // by corner, ascending
 };
 
 }  // namespace

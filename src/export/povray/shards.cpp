@@ -70,18 +70,22 @@ void append_shards(std::string& text, const BrokenPane& broken, const std::strin
       "#declare {0}_Frame = {4};\n#declare {0}_Reveal = {5};\n#declare {0}_Floor_Drop = {6};\n\n",
       prefix, there.size(), number(rules.sill_drop_mm), number(rules.sill_depth_mm), number(rules.frame_mm),
       number(rules.reveal_mm), number(rules.floor_drop_mm));
-  text += fmt::format("#macro {}_Shard(I, Old, Broken)\n#switch (I)\n", prefix);
   for (std::size_t i = 0; i < there.size(); ++i) {
-    text += fmt::format("#case ({}) // {}, {}\n", i, there[i]->id,
+    text += fmt::format("#macro {}_Shard_{}(Old, Broken) // {}, {}\n", prefix, i, there[i]->id,
                         there[i]->state == glass::ShardState::standing ? "standing" : "fallen");
     append_mesh(text, *there[i], broken.pane.thickness_mm);
-    text += "#break\n";
+    text += "#end\n";
   }
+  text += fmt::format("\n#macro {}_Shard(I, Old, Broken)\n#switch (I)\n", prefix);
+  for (std::size_t i = 0; i < there.size(); ++i)
+    text += fmt::format("#case ({1}) {0}_Shard_{1}(Old, Broken) #break\n", prefix, i);
   text += "#end\n#end\n\n";
+  // Each by its own name: a switch is read through to its case, so that n of them would take n² time.
+  text += fmt::format("#macro {0}_Shards(Old, Broken, Inside)\n   union {{\n", prefix);
+  for (std::size_t i = 0; i < there.size(); ++i)
+    text += fmt::format("      object {{ {0}_Shard_{1}(Old, Broken) }}\n", prefix, i);
   text += fmt::format(
-      "#macro {0}_Shards(Old, Broken, Inside)\n   union {{\n      #for (I, 0, {0}_Shard_Count - 1)\n"
-      "         object {{ {0}_Shard(I, Old, Broken) }}\n      #end\n      interior {{ Inside }}\n      double_illuminate\n   "
-      "}}\n#end\n\n"
+      "      interior {{ Inside }}\n      double_illuminate\n   }}\n#end\n\n"
       "#declare {0}_Pane = object {{ {0}_Shards(Shatterpave_Shard_Old, Shatterpave_Shard_Broken, Shatterpave_Shard_Interior) "
       "}}\n",
       prefix);
@@ -90,12 +94,13 @@ void append_shards(std::string& text, const BrokenPane& broken, const std::strin
 std::vector<std::string> shard_declarations(const std::string& prefix) {
   const auto line = [&](std::string_view pattern) { return fmt::format(fmt::runtime(pattern), prefix); };
   return {
+      line("   {0}_Shard_0(Old, Broken), {0}_Shard_1(Old, Broken) and so on  macros: one of the shards each, without interior"),
       line("   {0}_Pane       all shards, in materials of shatterpave_shards.inc: object {{ {0}_Pane }}"),
       line("   {0}_Shards(Old, Broken, Inside)  macro: the same in textures and an interior of your own, which are"),
       "                  Old     of the pane's faces and edge",
       "                  Broken  of the walls of cracks and of chips",
       "                  Inside  with an ior of about 1.5",
-      line("   {0}_Shard(I, Old, Broken)  macro: one of them, I from 0, without interior"),
+      line("   {0}_Shard(I, Old, Broken)  macro: the one of that number"),
       line("   {0}_Shard_Count"),
       line("   {0}_Sill_Drop, {0}_Floor_Drop  what fell lies so far below {0}_Min.y"),
       line("   {0}_Sill_Depth  the sill reaches so far out, towards -z"),

@@ -222,6 +222,20 @@ TEST(RenderGlassCases, PanesOfManyShapesSideBySide) {
 }
 
 // Shards in both windows and in the studio, of a pane that no frame of its own holds, with and without fallen ones.
+TEST(RenderGlassCases, DispersionAndCausticsOnRequest) {
+  Model model = model_of_both();
+  model.setting = "studio_glass_still";
+  const std::string plain = file_named(povray_files(model), model.name + ".pov").content;
+  EXPECT_EQ(plain.find("photons"), std::string::npos);
+  EXPECT_EQ(plain.find("#declare Shatterpave_Dispersion"), std::string::npos);
+  model.dispersion = true;
+  model.caustics = true;
+  const std::string asked = file_named(povray_files(model), model.name + ".pov").content;
+  EXPECT_NE(asked.find("photons { target"), std::string::npos);
+  EXPECT_LT(asked.find("#declare Shatterpave_Dispersion = 1.012;"), asked.find("#include \"window.inc\""));
+  expect_renders("optics", model);
+}
+
 TEST(RenderGlassCases, Shards) {
   Model model = model_of_both();
   for (const std::string setting : {"window_still", "broken_window_still"}) {

@@ -100,6 +100,7 @@ TEST(ReadScene, DefaultsAreThoseOfTheTypes) {
   const Scene scene = read(path("") + pane("size_mm = [100, 50]\n[[pane.impact]]\nat_mm = [1, 2]\n"));
   EXPECT_EQ(scene.seed, 1U);
   EXPECT_EQ(scene.still, Still{});
+  EXPECT_FALSE(scene.still.dispersion || scene.still.caustics);
   paving::Pavement pavement;
   pavement.name = "p";
   pavement.area = scene.pavements[0].area;

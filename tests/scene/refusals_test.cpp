@@ -222,6 +222,12 @@ const std::vector<Case> cases = {
      "s.toml:4:12: pavement[0].material: expected \"setts\" or \"granite\" or \"basalt\" or \"sandstone\" or \"limestone\" or "
      "\"brick\", "
      "got the text \"marble\""},
+    {"kerb_thin", of_path("size_mm = [9, 9]\nground.kerb_width_mm = 1"),
+     "s.toml:4:24: pavement[0].ground.kerb_width_mm: expected 0, or 2 or more, got 1"},
+    {"still_flag", of_path("size_mm = [9, 9]") + "[still]\ncaustics = 1\n",
+     "s.toml:5:12: still.caustics: expected true or false, got 1"},
+    {"name_of_materials", "[[pavement]]\nname = \"Shatterpave-Stone\"\nsize_mm = [9, 9]\n",
+     "s.toml:2:8: pavement[0].name: expected a name that no file of materials has, got \"shatterpave_stone.inc\""},
     {"fall_uphill", of_path("size_mm = [9, 9]\nground.fall_percent = -1"),
      "s.toml:4:23: pavement[0].ground.fall_percent: expected a number from 0 to 100, got -1"},
     {"name_of_a_kerb",

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/triangulation.h"
 #include "glass/growth.h"
@@ -193,6 +194,22 @@ TEST(FallenShards, FallAlikeWithAnyNumberOfThreads) {
   for (std::size_t i = 0; i < disorder.size(); i += 3) std::vector<char>().swap(disorder[i]);
   const ThreadLimit limit(7);
   EXPECT_TRUE(shards(pane, network, 4) == once);
+}
+
+TEST(FallenShards, AreRefusedWhereThereAreTooMany) {
+  Pane pane = window();
+  pane.glass = GlassKind::tempered;
+  pane.tempering.count_per_square = 200.0;  // 5760 pieces
+  pane.shards->missing = 1.0;
+  pane.shards->missing_mm = 100000.0;
+  try {
+    static_cast<void>(shards(pane, grown_cracks(pane, 7), 7));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("window.shards: expected at most 4000 pieces that fall to sill and floor, got "),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace

@@ -116,11 +116,12 @@ std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionInd
   }
   const auto* radial = std::get_if<RadialDirection>(&pavement.direction);
   if (radial != nullptr && is_rows(bonding.bond)) {
-    return ring_tiles(pitch_mm(pavement), radial->centre_mm, row_offset(bonding), area);
+    return ring_tiles(pitch_mm(pavement), *radial, bonding.start, row_offset(bonding), area);
   }
   const bool straight = std::holds_alternative<ConstantDirection>(pavement.direction);
   if (!straight && is_rows(bonding.bond)) return parallel_tiles(pavement, pitch_mm(pavement), row_offset(bonding), area);
-  const Placement placement = anchored(area, pattern_direction(pavement).direction());
+  Placement placement = anchored(area, pattern_direction(pavement).direction());
+  if (is_rows(bonding.bond)) placement.origin += bonding.start * pitch_mm(pavement).x * placement.along;
   const Id id(pavement.name);
   if (bonding.bond == Bond::ashlar) return ashlar_tiles(pitch_mm(pavement), placement, area, seed, id);
   if (bonding.bond == Bond::crazy) return crazy_tiles(pitch_mm(pavement), placement, area, seed, id);

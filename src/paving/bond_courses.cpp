@@ -21,27 +21,6 @@ using geometry::Box;
 using geometry::Polygon;
 using geometry::Region;
 
-// Guides, straight on beyond their ends until they are out of sight of the area.
-std::vector<std::vector<vec2>> extended_guides(const GuidesDirection& direction, const Box& box) {
-  Box all = box;
-  for (const auto& guide : direction.guides_mm) {
-    for (const vec2& p : guide) all = {glm::min(all.low, p), glm::max(all.high, p)};
-  }
-  const double far = 2.0 * glm::length(all.high - all.low);
-  const auto beyond = [&](vec2 from, vec2 end) {
-    return geometry::on_lattice(end + far / glm::length(end - from) * (end - from));
-  };
-  std::vector<std::vector<vec2>> guides;
-  for (const auto& guide : direction.guides_mm) {
-    auto& extended = guides.emplace_back();
-    extended.reserve(guide.size() + 2);
-    extended.push_back(beyond(guide[1], guide[0]));
-    for (const vec2& p : guide) extended.push_back(p);
-    extended.push_back(beyond(guide[guide.size() - 2], guide.back()));
-  }
-  return guides;
-}
-
 double farthest(const geometry::RegionIndex& area, const std::vector<std::vector<vec2>>& lines) {
   // From any line point to any corner of the area: too far, but rows without stones end the search anyway.
   double most = 0.0;
@@ -95,10 +74,30 @@ class Middles {
 
 }  // namespace
 
+std::vector<std::vector<vec2>> extended_guides(const GuidesDirection& direction, const Box& box) {
+  Box all = box;
+  for (const auto& guide : direction.guides_mm) {
+    for (const vec2& p : guide) all = {glm::min(all.low, p), glm::max(all.high, p)};
+  }
+  const double far = 2.0 * glm::length(all.high - all.low);
+  const auto beyond = [&](vec2 from, vec2 end) {
+    return geometry::on_lattice(end + far / glm::length(end - from) * (end - from));
+  };
+  std::vector<std::vector<vec2>> guides;
+  for (const auto& guide : direction.guides_mm) {
+    auto& extended = guides.emplace_back();
+    extended.reserve(guide.size() + 2);
+    extended.push_back(beyond(guide[1], guide[0]));
+    for (const vec2& p : guide) extended.push_back(p);
+    extended.push_back(beyond(guide[guide.size() - 2], guide.back()));
+  }
+  return guides;
+}
+
 std::vector<Tile> parallel_tiles(const Pavement& pavement, vec2 pitch, double offset, const geometry::RegionIndex& area) {
   const Middles middles(pavement, pitch.y, area);
   std::vector<Tile> tiles;
-  double moved = 0.0;
+  double moved = pavement.bonding.start;
   for (int k = 0;; ++k) {
     const std::vector<Polygon> rings = middles.row(k);
     if (rings.empty()) break;

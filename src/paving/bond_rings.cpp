@@ -51,18 +51,19 @@ Sector sector_of(const geometry::RegionIndex& area, vec2 centre, double margin_m
 
 class Rings {
  public:
-  Rings(vec2 pitch, vec2 centre, double offset, const geometry::RegionIndex& area)
-      : pitch_(pitch), centre_(centre), area_(area) {
-    double nearest = area.contains(centre) ? 0.0 : area.nearest(centre).distance_mm;
+  Rings(vec2 pitch, const RadialDirection& direction, double start, double offset, const geometry::RegionIndex& area)
+      : pitch_(pitch), centre_(direction.centre_mm), first_mm_(direction.first_mm), area_(area) {
+    const vec2 centre = centre_;
+    const double nearest = (area.contains(centre) ? 0.0 : area.nearest(centre).distance_mm) - first_mm_;
     double farthest = 0.0;
     for (const auto& s : area.segments()) farthest = std::max(farthest, glm::length(s.from - centre));
     // One more on either side, so that a ring always knows the next ones.
     const double first = std::max(0.0, std::floor(nearest / pitch.y) - 1.0);
     first_ = static_cast<std::size_t>(first);
-    const auto last = static_cast<std::size_t>(farthest / pitch.y) + 2;
-    double moved = 0.0;
+    const auto last = std::max(static_cast<std::size_t>(std::max(0.0, farthest - first_mm_) / pitch.y), first_) + 2;
+    double moved = start;
     for (std::size_t k = 0; k < last - first_; ++k) {
-      const double circumference = 2.0 * pi * (static_cast<double>(first_ + k) + 0.5) * pitch.y;
+      const double circumference = 2.0 * pi * (first_mm_ + (static_cast<double>(first_ + k) + 0.5) * pitch.y);
       Ring ring{rings_.empty() ? 0.0 : rings_.back().count, 0.0};
       if (ring.count == 0.0 || circumference > ring.count * (1.0 + most_off) * pitch.x) {
         ring.count = std::max(3.0, std::floor(circumference / ((1.0 - most_off) * pitch.x)));
@@ -95,7 +96,7 @@ class Rings {
     CourseLine high;
   };
 
-  double radius(std::size_t k) const { return static_cast<double>(first_ + k) * pitch_.y; }
+  double radius(std::size_t k) const { return first_mm_ + static_cast<double>(first_ + k) * pitch_.y; }
 
   vec2 point(double turns, double radius) const {
     const double rest = turns - std::floor(turns);
@@ -122,7 +123,7 @@ class Rings {
     tile.outline_mm.push_back(point(from, radius(k + 1)));
     lines.high.append_between(from, to, at(k + 1), tile.outline_mm);
     tile.outline_mm.push_back(point(to, radius(k + 1)));
-    if (first_ + k > 0) {
+    if (radius(k) > 0.0) {
       tile.outline_mm.push_back(point(to, radius(k)));
       lines.low.append_between(to, from, at(k), tile.outline_mm);
       tile.outline_mm.push_back(point(from, radius(k)));
@@ -135,6 +136,7 @@ class Rings {
 
   vec2 pitch_;
   vec2 centre_;
+  double first_mm_;
   const geometry::RegionIndex& area_;
   std::size_t first_ = 0;  // number of the first ring
   std::vector<Ring> rings_;
@@ -142,8 +144,9 @@ class Rings {
 
 }  // namespace
 
-std::vector<Tile> ring_tiles(vec2 pitch, vec2 centre, double offset, const geometry::RegionIndex& area) {
-  return Rings(pitch, centre, offset, area).tiles();
+std::vector<Tile> ring_tiles(vec2 pitch, const RadialDirection& direction, double start, double offset,
+                             const geometry::RegionIndex& area) {
+  return Rings(pitch, direction, start, offset, area).tiles();
 }
 
 }  // namespace shatterpave::paving

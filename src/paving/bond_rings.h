@@ -2,12 +2,14 @@
 #pragma once
 
 #include "geometry/region_index.h"
+#include "paving/pavement.h"
 #include "paving/tiling.h"
 
 namespace shatterpave::paving {
 
-// Rings of one depth, pitch.y, about `centre`, each of a whole number of stones about pitch.x long. `offset` as in running
-// bond.
-std::vector<Tile> ring_tiles(vec2 pitch, vec2 centre, double offset, const geometry::RegionIndex& area);
+// Rings of one depth, pitch.y, from the first circle on, each of a whole number of stones about pitch.x long. The first has
+// moved on by `start` of a stone, each next one by `offset` more.
+std::vector<Tile> ring_tiles(vec2 pitch, const RadialDirection& direction, double start, double offset,
+                             const geometry::RegionIndex& area);
 
 }  // namespace shatterpave::paving

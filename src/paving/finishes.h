@@ -1,6 +1,7 @@
 // Finishes of stone as the trade names them, and what each means for the body of a stone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -26,5 +27,9 @@ inline constexpr std::array<FinishPreset, 4> finish_presets{{
     {"split", {Finish::split, Arris::rounded, 7.0, 2.0, 2.0, 0.0, 3.0}, 9.0, 0.20, 1.0, {1.1, 0.75}},
     {"river_worn", {Finish::river_worn, Arris::rounded, 22.0, 5.0, 1.5, 0.0, 0.0}, 14.0, 0.25, 1.5, {0.30, 0.80}},
 }};
+
+constexpr const FinishPreset& preset_of(Finish finish) {
+  return *std::ranges::find(finish_presets, finish, [](const FinishPreset& preset) { return preset.body.finish; });
+}
 
 }  // namespace shatterpave::paving

@@ -16,13 +16,6 @@ constexpr double miter_limit = 4.0;
 constexpr double widest_joint_mm = 6.0;  // kerbs are set close
 constexpr double arris_mm = 6.0;         // by eye, as real ones have chamfers of 5 to 25 mm
 
-// Of the faces above the outlines of the stones, in the mean.
-double face_mm(const Pavement& pavement) {
-  const double height = pavement.surface.height_mm;
-  return pavement.body.finish == Finish::none ? top_mm(pavement) / (1.0 + pavement.surface.height_spread)
-                                              : bed_level_mm(pavement) + height;
-}
-
 }  // namespace
 
 Pavement kerb(const Pavement& pavement) {
@@ -42,12 +35,11 @@ Pavement kerb(const Pavement& pavement) {
   result.border = {};
   result.variation = {};
   result.variation.tilt = Angle();
-  const auto bush_hammered =
-      std::ranges::find(finish_presets, Finish::bush_hammered, [](const FinishPreset& preset) { return preset.body.finish; });
-  result.body = bush_hammered->body;
+  const FinishPreset& preset = preset_of(Finish::bush_hammered);
+  result.body = preset.body;
   result.body.arris = Arris::chamfered;
   result.body.arris_mm = std::min(arris_mm, 0.1 * pavement.kerb.width_mm);
-  result.relief = bush_hammered->relief;
+  result.relief = preset.relief;
   result.surface.height_spread = 0.0;
   result.surface.height_mm = pavement.kerb.height_mm + face_mm(pavement) - bed_level_mm(pavement);
   result.look.wetness = std::min(pavement.look.wetness, 0.5);  // no water stands on a kerb

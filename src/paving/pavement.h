@@ -26,6 +26,7 @@ struct BoundaryDirection {
 // Rows are circles about a centre.
 struct RadialDirection {
   vec2 centre_mm{0.0, 0.0};
+  double first_mm = 0.0;  // radius of the first circle, >= 0: nothing is laid within it
   bool operator==(const RadialDirection&) const = default;
 };
 
@@ -57,6 +58,7 @@ struct Bonding {
   double offset = 0.5;   // running: how far each row moves on, as a part of a stone, 0 … 1
   Angle turn;            // of the pattern against the rows; herringbone: 0° or 45° are usual
   double span_mm = 0.0;  // segmental arc, fan: width of an arc or a fan, >= 0; 0: twelve stones
+  double start = 0.0;    // running, stack: how far the first row has moved on, as a part of a stone, 0 … 1
   bool operator==(const Bonding&) const = default;
 };
 
@@ -155,6 +157,7 @@ struct Ground {
   double level_mm = 0.0;                 // of the whole, at the origin of the plan
   double settlement_mm = 0.0;            // how far the ground has sunk at its lowest, >= 0: hollows that water stands in
   double settlement_length_mm = 2500.0;  // from hollow to hollow, > 0
+  double depth_mm = 50.0;                // of what stands below the outlines of the stones; by eye: a bed of sand
   bool operator==(const Ground&) const = default;
 };
 
@@ -164,6 +167,14 @@ struct Kerb {
   double length_mm = 900.0;  // of a stone, > 0
   double height_mm = 0.0;    // above the stones, >= 0
   bool operator==(const Kerb&) const = default;
+};
+
+// A pavement laid as a flight of steps, one for each row along its direction (paving/steps.h).
+struct Flight {
+  double riser_mm = 150.0;  // how much higher each step is than the last, not 0; below 0: lower
+  double tread_mm = 350.0;  // from front to front, > 0
+
+  bool operator==(const Flight&) const = default;
 };
 
 // How finely stones are made, by their distance from where the picture is taken.

@@ -196,17 +196,29 @@ Quad part_of(const Quad& quad, vec2 u, vec2 v) {
 class BodyBuilder {
  public:
   BodyBuilder(Ring ring, const BodyDraws& draws)
-      : ring_(std::move(ring)), draws_(draws), face_(face_of(ring_.outline, draws)), count_(ring_.outline.size()) {}
+      : ring_(std::move(ring)),
+        rim_(ring_.outline),
+        draws_(draws),
+        face_(face_of(ring_.outline, draws)),
+        count_(ring_.outline.size()) {}
 
   std::vector<BezierPatch> rounded() {
-    const Polygon& outline = ring_.outline;
+    const std::vector<double> whole = widened(stands_free() ? steep_mm : 0.0);
+    const double part = stands_free() ? std::min(1.0, feasible_part(ring_.outline, whole)) : 1.0;
+    if (stands_free()) {
+      rim_ = inset(ring_.outline, std::vector<double>(count_, part * steep_mm));
+      for (double& w : ring_.widths) w *= part;
+    }
+    const Polygon& outline = rim_;
     const Polygon crown = inset(outline, ring_.widths);
     sides_ = sides_of(ring_, crown, draws_);
     fan_ = count_ != 4 || std::ranges::any_of(sides_, &Side::chipped);
     for (std::size_t i = 0; i < count_; ++i) {
       const vec2 arriving = outline[i] - width(i) / corner_sine(outline, i) * along(outline, i + count_ - 1);
       add({outline[i], leaving(i), crown[i], arriving},
-          [&](std::size_t row, std::size_t column) { return row == 0 || column == 0 ? 0.0 : draws_.rise_mm; });
+          [&](std::size_t row, std::size_t column) { return row == 0 || column == 0 ? draws_.flank_mm : draws_.rise_mm; });
+      add_flank((i + count_ - 1) % count_, arriving, outline[i]);
+      add_flank(i, outline[i], leaving(i));
       const std::size_t next = (i + 1) % count_;
       const vec2 far = outline[next] - width(next) / corner_sine(outline, next) * along(outline, i);
       add_side(i, {leaving(i), far, crown[next], crown[i]});
@@ -216,8 +228,6 @@ class BodyBuilder {
   }
 
   std::vector<BezierPatch> chamfered() {
-    // Beside a chamfer the side is as steep as a strip of this width makes it.
-    constexpr double steep_mm = 0.3;
     const double part = std::min(1.0, feasible_part(ring_.outline, widened(steep_mm)));
     std::vector<double> outer(count_, part * steep_mm);
     std::vector<double> whole = widened(steep_mm);
@@ -238,9 +248,25 @@ class BodyBuilder {
   }
 
  private:
+  // Below a chamfer, and below the arris of what stands free, a side is as steep as a strip of this width makes it.
+  static constexpr double steep_mm = 0.3;
+
   double width(std::size_t i) const { return ring_.widths[i]; }
   vec2 leaving(std::size_t i) const {
-    return ring_.outline[i] + width((i + count_ - 1) % count_) / corner_sine(ring_.outline, i) * along(ring_.outline, i);
+    return rim_[i] + width((i + count_ - 1) % count_) / corner_sine(rim_, i) * along(rim_, i);
+  }
+  bool stands_free() const { return draws_.flank_mm > 0.0; }
+  // The steep part of side i below the part of the arris from `a` to `b`, which lie on the rim.
+  void add_flank(std::size_t i, vec2 a, vec2 b) {
+    if (!stands_free()) return;
+    const vec2 from = rim_[i];
+    const vec2 side = cyclic(rim_, i + 1) - from;
+    const auto below = [&](vec2 p) {
+      const double place = glm::dot(p - from, side) / glm::dot(side, side);
+      return ring_.outline[i] + place * (cyclic(ring_.outline, i + 1) - ring_.outline[i]);
+    };
+    add({below(a), below(b), b, a},
+        [&](std::size_t, std::size_t column) { return draws_.flank_mm * static_cast<double>(column) / 3.0; });
   }
   std::vector<double> widened(double by) const {
     std::vector<double> widths = ring_.widths;
@@ -273,16 +299,19 @@ class BodyBuilder {
 
   // A side's part of the ring: whole beside a face of one patch, else in two halves that are divided as the fan is.
   void add_side(std::size_t i, const Quad& quad) {
-    const auto plain = [&](std::size_t, std::size_t column) { return column == 0 ? 0.0 : draws_.rise_mm; };
+    const auto plain = [&](std::size_t, std::size_t column) { return column == 0 ? draws_.flank_mm : draws_.rise_mm; };
     if (!fan_) {
       add(quad, plain);
+      add_flank(i, quad[0], quad[1]);
       return;
     }
     const Side& side = sides_[i];
     const auto add_half = [&](const Quad& half, const std::vector<double>& places, const auto& is_lowered) {
       for (std::size_t k = 0; k + 1 < places.size(); ++k) {
         const std::array<bool, 2> lowered = {is_lowered(places[k]), is_lowered(places[k + 1])};
-        add_arris(part_of(half, {places[k], places[k + 1]}, {0.0, 1.0}), side.depth, lowered);
+        const Quad part = part_of(half, {places[k], places[k + 1]}, {0.0, 1.0});
+        add_arris(part, side.depth, lowered);
+        add_flank(i, part[0], part[1]);
       }
     };
     add_half(part_of(quad, {0.0, side.split}, {0.0, 1.0}), divisions(i),
@@ -294,9 +323,9 @@ class BodyBuilder {
   // A part of the ring of which either end may be lowered by a chip: two rows each, so that it is level there.
   void add_arris(const Quad& quad, double depth, std::array<bool, 2> lowered) {
     add(quad, [&](std::size_t row, std::size_t column) {
-      if (column == 0) return 0.0;
+      if (column == 0) return draws_.flank_mm;
       const bool is_low = column == 1 && lowered[row / 2];
-      return is_low ? draws_.rise_mm * (1.0 - depth) : draws_.rise_mm;
+      return is_low ? draws_.rise_mm - depth * (draws_.rise_mm - draws_.flank_mm) : draws_.rise_mm;
     });
   }
 
@@ -335,6 +364,7 @@ class BodyBuilder {
   }
 
   Ring ring_;
+  Polygon rim_;  // on which the arris begins
   const BodyDraws& draws_;
   Face face_;
   std::size_t count_;
@@ -342,6 +372,11 @@ class BodyBuilder {
   bool fan_ = false;
   std::vector<BezierPatch> patches_;
 };
+
+// Stones whose faces are higher above their bed are seen down their sides, which are steep then; by eye.
+constexpr double free_height_mm = 60.0;
+// Over so many of its widths a rounded arris of those goes down. By eye: rounder than a quarter of a circle, as feet leave it.
+constexpr double free_arris_rise = 1.5;
 
 double slope_of(Angle tilt) { return sine(tilt.radians()) / cosine(tilt.radians()); }
 
@@ -363,6 +398,8 @@ BodyDraws body_draws(const Pavement& pavement, std::uint64_t seed, Id stone) {
   const double height =
       pavement.surface.height_mm * (1.0 + pavement.surface.height_spread * around_zero(Stream::stone_height, 0));
   draws.rise_mm = hidden_depth_mm(pavement) + height;
+  const bool stands_free = pavement.surface.height_mm > free_height_mm;
+  if (stands_free) draws.flank_mm = std::max(0.0, draws.rise_mm - free_arris_rise * draws.arris_mm);
   draws.crown_mm = body.crown_mm * (1.0 + 0.3 * around_zero(Stream::stone_arris, 1));
   // Each within the unevenness over the root of two, so that both together are.
   draws.warp_mm =

@@ -28,7 +28,8 @@ struct ChipDraws {
 struct BodyDraws {
   Arris arris = Arris::rounded;
   double arris_mm = 0.0;
-  double rise_mm = 0.0;  // of the middles of the face's sides over the outline, where the patches end
+  double rise_mm = 0.0;   // of the middles of the face's sides over the outline, where the patches end
+  double flank_mm = 0.0;  // the lowest part of that, where the sides of what stands free are steep, below a rounded arris
   double crown_mm = 0.0;
   vec2 warp_mm{0.0, 0.0};     // saddle along the axes of the stone, and along their bisectors
   vec2 slope{0.0, 0.0};       // tilt: rise per mm along x and y

@@ -195,4 +195,9 @@ double top_mm(const Pavement& pavement) {
   return top_of_single_patch * pavement.surface.height_mm * (1.0 + pavement.surface.height_spread);
 }
 
+double face_mm(const Pavement& pavement) {
+  return pavement.body.finish == Finish::none ? top_of_single_patch * pavement.surface.height_mm
+                                              : bed_level_mm(pavement) + pavement.surface.height_mm;
+}
+
 }  // namespace shatterpave::paving

@@ -60,5 +60,7 @@ double bed_level_mm(const StoneSurface& surface);
 // The same for any stones, with a finish or without, and the height that no stone exceeds.
 double bed_level_mm(const Pavement& pavement);
 double top_mm(const Pavement& pavement);
+// Of the faces above the outlines of the stones, in the mean.
+double face_mm(const Pavement& pavement);
 
 }  // namespace shatterpave::paving

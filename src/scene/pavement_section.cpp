@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "geometry/lattice.h"
+#include "paving/steps.h"
 #include "paving/stone_sizes.h"
 #include "scene/section.h"
 #include "scene/stone_keys.h"
@@ -108,6 +111,42 @@ void read_textures(const TomlTable& pavement, paving::TextureSet& textures) {
   textures.format = formats.at(table->choice("format", {"png", "exr", "tiled_exr"}).value_or(0));
 }
 
+// Steps make sense of rows alone, and have no border of their own.
+void require_rows(const TomlTable& table, const paving::Pavement& pavement) {
+  using paving::Bond;
+  const auto refuse_key = [&](std::string_view key) {
+    refuse(table.place(key), fmt::format("no {} beside steps", key), "one");
+  };
+  const Bond bond = pavement.bonding.bond;
+  if (table.has("bond") && bond != Bond::running && bond != Bond::stack) {
+    refuse(table.place("bond"), "running or stack beside steps", "another one");
+  }
+  if (pavement.border.course != paving::BorderCourse::none) refuse_key("border_course");
+  if (pavement.kerb.width_mm > 0.0) refuse(table.place("ground"), "no kerb beside steps", "one");
+  if (pavement.textures.seamless) refuse(table.place("textures"), "no seamless textures beside steps", "seamless = true");
+}
+
+std::optional<paving::Flight> flight_of(const TomlTable& table, const paving::Pavement& pavement,
+                                        const std::vector<geometry::Region>& areas) {
+  const auto steps = table.table("steps", {"riser_mm", "tread_mm"});
+  if (!steps) return std::nullopt;
+  paving::Flight flight;
+  steps->read("riser_mm", {-1000.0, 1000.0}, flight.riser_mm);
+  steps->read("tread_mm", {1.0, 100'000.0}, flight.tread_mm);
+  if (flight.riser_mm == 0.0) refuse(steps->place("riser_mm"), "a height other than 0", "0");
+  require_rows(table, pavement);
+  for (const geometry::Region& area : areas) {
+    const geometry::Box box = geometry::bounding_box(area.outline);
+    if (glm::length(box.high - box.low) > static_cast<double>(most_pavements) * flight.tread_mm) {
+      refuse(steps->place("tread_mm"), fmt::format("treads so deep that there are at most {} steps", most_pavements), "more");
+    }
+    if (std::holds_alternative<paving::BoundaryDirection>(pavement.direction) && !area.holes.empty()) {
+      refuse(steps->place(), "an area without holes where steps follow its boundary", "one with holes");
+    }
+  }
+  return flight;
+}
+
 void limit_stones(const TomlTable& table, const paving::Pavement& pavement, const std::vector<geometry::Region>& areas) {
   const vec2 pitch = pavement.stone_mm + vec2(pavement.joint_mm);
   double count = 0.0;
@@ -136,22 +175,32 @@ paving::Pavement pavement_of(const TomlTable& table, Plans& plans) {
   return pavement;
 }
 
-// A pavement for each of the areas of a table.
+// A pavement for each of the areas of a table, or for each step of those.
 void append_pavements(const TomlTable& table, Plans& plans, Names& names, std::vector<paving::Pavement>& pavements) {
   name_of(table);
   std::vector<geometry::Region> areas = without_holes_of_plan(table, plans, outlines_of(table, plans));
-  if (pavements.size() + areas.size() > most_pavements) {
-    refuse(table.place(), fmt::format("at most {} areas in all", most_pavements), "more");
-  }
   paving::Pavement pavement = pavement_of(table, plans);
   limit_stones(table, pavement, areas);
+  const std::optional<paving::Flight> flight = flight_of(table, pavement, areas);
   const std::string name = pavement.name;
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    if (i > 0) pavement.name = fmt::format("{}_{}", name, i + 1);
-    names.add(pavement.name, table.path(), table.place("name"));
-    pavement.area = std::move(areas[i]);
-    pavements.push_back(pavement);
-    if (pavement.kerb.width_mm > 0.0) names.add(paving::kerb_name(pavement), table.path(), table.place("name"));
+  std::vector<paving::Pavement> parts;
+  for (geometry::Region& area : areas) {
+    pavement.area = std::move(area);
+    if (flight) {
+      std::ranges::move(paving::steps(pavement, *flight), std::back_inserter(parts));
+    } else {
+      parts.push_back(pavement);
+    }
+    if (pavements.size() + parts.size() > most_pavements) {
+      refuse(table.place(), fmt::format("at most {} areas in all", most_pavements), "more");
+    }
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    paving::Pavement& part = parts[i];
+    part.name = i == 0 ? name : fmt::format("{}_{}", name, i + 1);
+    names.add(part.name, table.path(), table.place("name"));
+    if (part.kerb.width_mm > 0.0) names.add(paving::kerb_name(part), table.path(), table.place("name"));
+    pavements.push_back(std::move(part));
   }
 }
 
@@ -167,7 +216,8 @@ std::vector<paving::Pavement> pavements_of(const TomlTable& root, Plans& plans, 
                     "stone_preset",  "stone_mm",         "joint_mm",       "direction",      "bond",
                     "bond_offset",   "bond_turn_deg",    "bond_span_mm",   "border_course",  "border_stone_mm",
                     "surface",       "variation",        "relief",         "material",       "joint_fill",
-                    "moss",          "wetness",          "ground",         "detail",         "textures"})) {
+                    "moss",          "wetness",          "ground",         "steps",          "detail",
+                    "textures"})) {
     append_pavements(table, plans, names, pavements);
   }
   return pavements;

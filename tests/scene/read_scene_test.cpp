@@ -259,6 +259,19 @@ TEST(ReadScene, ReadsLookGroundAndDetail) {
   EXPECT_FALSE(plain.detail.has_value());
 }
 
+TEST(ReadScene, LaysAPavementInSteps) {
+  const auto parts =
+      read(path("bond = \"stack\"\n[pavement.steps]\nriser_mm = 160\ntread_mm = 400\n[pavement.ground]\nlevel_mm = 50\n"))
+          .pavements;
+  ASSERT_EQ(parts.size(), 3U) << "of a metre, the last one narrower";
+  EXPECT_EQ(parts[0].name, "p");
+  EXPECT_EQ(parts[2].name, "p_3");
+  EXPECT_EQ(parts[0].bonding.bond, paving::Bond::stack);
+  EXPECT_EQ(parts[1].surface.height_mm, 160.0);
+  EXPECT_NEAR(parts[2].ground.level_mm - parts[0].ground.level_mm, 320.0, 1e-9);
+  EXPECT_EQ(read(path("[pavement.steps]\n")).pavements.size(), 3U) << "treads are 350 mm deep if nothing is said";
+}
+
 TEST(ReadScene, ReadsTheBorderCourse) {
   const auto border = [](const std::string& lines) { return read(path(lines)).pavements[0].border; };
   EXPECT_EQ(border(""), paving::Border{});

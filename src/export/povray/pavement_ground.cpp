@@ -14,9 +14,6 @@ namespace shatterpave::exporting::povray {
 
 namespace {
 
-// Thickness of the bed that is modelled, so that it can stand free. By eye: a twentieth of a metre of sand.
-constexpr double bed_depth_mm = 50.0;
-
 double rounded(double mm) { return geometry::to_mm(geometry::to_lattice(mm)); }
 
 void append_bed_ring(std::string& text, const geometry::Polygon& ring) {
@@ -109,7 +106,7 @@ void append_bounds(std::string& text, const std::string& prefix, const paving::P
     return level + end(slope.x, box.low.x, box.high.x) + end(slope.y, box.low.y, box.high.y);
   };
   text += fmt::format("#declare {}_Min = ", prefix);
-  append_stone_point(text, {box.low.x, box.low.y, least(false) - bed_depth_mm - pavement.ground.settlement_mm});
+  append_stone_point(text, {box.low.x, box.low.y, least(false) - pavement.ground.depth_mm - pavement.ground.settlement_mm});
   text += fmt::format(";\n#declare {}_Max = ", prefix);
   append_stone_point(text, {box.high.x, box.high.y, least(true) + paving::top_mm(pavement)});
   text += ";\n\n";
@@ -120,17 +117,17 @@ void append_bed(std::string& text, const std::string& prefix, const paving::Pave
   const double sunken = pavement.ground.settlement_mm;
   const std::string last = fmt::format("   {}_Bed_Texture()\n", prefix) + ground_transform(pavement);
   if (sunken == 0.0) {
-    append_prism(text, pavement, fmt::format("-{}", bed_depth_mm), prefix + "_Bed_Level", last);
+    append_prism(text, pavement, fmt::format("-{}", pavement.ground.depth_mm), prefix + "_Bed_Level", last);
   } else {
     const Mesh mesh = sunken_surface(pavement, seed);
     const std::size_t count = (mesh.columns + 1) * (mesh.rows + 1);
     text += "union {\n";
-    append_prism(text, pavement, fmt::format("-{}", rounded(bed_depth_mm + sunken)),
+    append_prism(text, pavement, fmt::format("-{}", rounded(pavement.ground.depth_mm + sunken)),
                  fmt::format("{}_Bed_Level - {}", prefix, rounded(sunken)), "");
     text += fmt::format(
         "mesh2 {{\nvertex_vectors {{ {}, {} }}\nnormal_vectors {{ {}, {} }}\nface_indices {{ {}, {} }}\nclipped_by {{\n", count,
         mesh.vertices, count, mesh.normals, 2 * mesh.columns * mesh.rows, mesh.faces);
-    append_prism(text, pavement, fmt::format("-{}", rounded(bed_depth_mm + sunken)), prefix + "_Top", "");
+    append_prism(text, pavement, fmt::format("-{}", rounded(pavement.ground.depth_mm + sunken)), prefix + "_Top", "");
     text += "} }\n" + last + "}\n";
   }
   text += "\n";
@@ -146,7 +143,7 @@ std::string water_text(const paving::Pavement& pavement, const std::string& pref
   const double share = 2.0 * (pavement.look.wetness - 0.5) * flooded_when_wettest;
   const double level = rounded(faces[static_cast<std::size_t>(share * static_cast<double>(faces.size() - 1))]);
   std::string text = fmt::format("#declare {}_Water =\n", prefix);
-  append_prism(text, pavement, fmt::format("-{}", rounded(bed_depth_mm + pavement.ground.settlement_mm)),
+  append_prism(text, pavement, fmt::format("-{}", rounded(pavement.ground.depth_mm + pavement.ground.settlement_mm)),
                fmt::format("{}", level), "   Shatterpave_Water()\n" + ground_transform(pavement));
   return text + "\n";
 }

@@ -38,6 +38,25 @@ void append_patch(std::string& text, const BezierPatch& patch, const std::array<
   text += "}\n";
 }
 
+// ---- places on the texture
+
+constexpr double least_flank_mm = 30.0;
+
+// Of the corners of a patch, mm: where they lie in the plan. The flanks of what stands free would be drawn out along their
+// height: they are folded out about their upper edge, the inner one.
+std::array<vec2, 4> plan_places(const BezierPatch& patch) {
+  const auto& points = patch.control_points;
+  const auto plan = [&](std::size_t i) { return vec2{points[i].x, points[i].y}; };
+  std::array<vec2, 4> places = {plan(0), plan(3), plan(15), plan(12)};
+  const double first_drop = points[3].z - points[0].z;
+  const double last_drop = points[15].z - points[12].z;
+  if (std::min(first_drop, last_drop) < least_flank_mm || places[1] == places[2]) return places;
+  const vec2 outwards = -left_of(glm::normalize(places[2] - places[1]));
+  places[0] = places[1] + first_drop * outwards;
+  places[3] = places[2] + last_drop * outwards;
+  return places;
+}
+
 // ---- by distance
 
 enum class Form { mesh, patches, prism };
@@ -108,15 +127,13 @@ StoneText stone_text(const Making& making, std::size_t index) {
   if (!fine.chips && draws.body) draws.body->chips_per_m = 0.0;
   const std::vector<BezierPatch> patches = making.surface.patches(index, draws);
   result.face_mm = height_at(patches, centre);
-  const auto texture_place = [&](const vec3& p) {
-    return draws.relief_place + (vec2{p.x, p.y} - centre) / making.relief_side_mm;
-  };
+  const auto texture_place = [&](vec2 p) { return draws.relief_place + (p - centre) / making.relief_side_mm; };
   if (fine.form == Form::patches) {
     for (const BezierPatch& patch : patches) {
-      const auto& points = patch.control_points;
+      const std::array<vec2, 4> places = plan_places(patch);
       ++result.objects;
       append_patch(result.text, patch,
-                   {texture_place(points[0]), texture_place(points[3]), texture_place(points[15]), texture_place(points[12])},
+                   {texture_place(places[0]), texture_place(places[1]), texture_place(places[2]), texture_place(places[3])},
                    fine.kind);
     }
     return result;

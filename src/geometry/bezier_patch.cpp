@@ -1,5 +1,7 @@
 #include "geometry/bezier_patch.h"
 
+#include <limits>
+
 namespace shatterpave::geometry {
 
 namespace {
@@ -34,6 +36,25 @@ vec3 derivative_u(const BezierPatch& patch, double u, double v) {
 
 vec3 derivative_v(const BezierPatch& patch, double u, double v) {
   return weighted(patch, bernstein(u), bernstein_derivative(v));
+}
+
+double height_at(const std::vector<BezierPatch>& patches, vec2 place) {
+  double height = -std::numeric_limits<double>::infinity();
+  double nearest2 = std::numeric_limits<double>::infinity();
+  constexpr int steps = 8;
+  for (const BezierPatch& patch : patches) {
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; j <= steps; ++j) {
+        const vec3 p = point(patch, static_cast<double>(i) / steps, static_cast<double>(j) / steps);
+        const vec2 offset = vec2{p.x, p.y} - place;
+        const double distance2 = glm::dot(offset, offset);
+        if (distance2 >= nearest2) continue;
+        nearest2 = distance2;
+        height = p.z;
+      }
+    }
+  }
+  return height;
 }
 
 }  // namespace shatterpave::geometry

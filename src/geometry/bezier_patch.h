@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "core/vec.h"
 
@@ -23,5 +24,8 @@ struct BezierPatch {
 vec3 point(const BezierPatch& patch, double u, double v);
 vec3 derivative_u(const BezierPatch& patch, double u, double v);
 vec3 derivative_v(const BezierPatch& patch, double u, double v);
+
+// z of the patches over `place` in x and y: that of the nearest of 9 × 9 points of each patch. −∞ without patches.
+double height_at(const std::vector<BezierPatch>& patches, vec2 place);
 
 }  // namespace shatterpave::geometry

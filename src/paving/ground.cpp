@@ -1,5 +1,6 @@
 #include "paving/ground.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/random.h"
@@ -46,6 +47,14 @@ GroundPoint settlement(const Ground& ground, std::uint64_t seed, vec2 place, std
   const double scale = ground.settlement_mm;
   return {scale * (a + b * u + c * v + d * u * v - 1.0),
           scale / cell_mm * vec2{ease_slope(within.x) * (b + d * v), ease_slope(within.y) * (c + d * u)}};
+}
+
+std::optional<double> water_level_mm(const Look& look, std::vector<double> faces_mm) {
+  if (look.wetness <= 0.5 || faces_mm.empty()) return std::nullopt;
+  constexpr double flooded_when_wettest = 1.0 / 3.0;
+  std::ranges::sort(faces_mm);
+  const double share = 2.0 * (look.wetness - 0.5) * flooded_when_wettest;
+  return faces_mm[static_cast<std::size_t>(share * static_cast<double>(faces_mm.size() - 1))];
 }
 
 }  // namespace shatterpave::paving

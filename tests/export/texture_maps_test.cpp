@@ -236,6 +236,54 @@ TEST(TextureMaps, MossIsGreenMortarPaleAndWetIsDark) {
   EXPECT_LT(stones(0.2), 0.9 * stones(0.0));
 }
 
+// Water fills what lies below its level, flat and smooth, over about as many stones as the wetness says.
+TEST(TextureMaps, WaterStandsInTheLowSpots) {
+  paving::Pavement pavement = square_pavement(3000.0);
+  pavement.surface.height_mm = 6.0;
+  pavement.ground.settlement_mm = 25.0;
+  pavement.ground.settlement_length_mm = 1500.0;
+  pavement.relief.rms_mm = 0.0;
+  const std::vector<paving::Stone> stones = paving::laid_stones(pavement, 7).stones;
+  const PixelGrid grid{{0.0, 0.0}, {10.0, 10.0}, 300, 300};
+  pavement.look.wetness = 0.5;
+  const Drawn damp(pavement, stones, grid, 2);
+  ASSERT_FALSE(damp.map.water_mm.has_value());
+  pavement.look.wetness = 0.8;
+  const Drawn wet(pavement, stones, grid, 2);
+  ASSERT_TRUE(wet.map.water_mm.has_value());
+  const std::vector<float> normals = wet.values(Map::normal);
+  const std::vector<float> roughness = wet.values(Map::roughness);
+  const std::vector<float> colours = wet.values(Map::base_color);
+  const std::vector<float> damp_colours = damp.values(Map::base_color);
+  std::size_t flooded = 0;
+  std::size_t level = 0;
+  double light = 0.0;
+  double damp_light = 0.0;
+  for (std::size_t row = 0; row < 300; ++row) {
+    for (std::size_t column = 0; column < 300; ++column) {
+      const std::size_t pixel = 300 * row + column;
+      const std::size_t at = wet.map.index(column, row);
+      const float ground = damp.map.height_mm[at];
+      EXPECT_EQ(wet.map.height_mm[at], std::max(ground, *wet.map.water_mm));
+      EXPECT_EQ(wet.map.is_flooded(at), ground <= *wet.map.water_mm);
+      if (!wet.map.is_flooded(at)) {
+        EXPECT_EQ(colours[3 * pixel], damp_colours[3 * pixel]);
+        continue;
+      }
+      ++flooded;
+      EXPECT_LT(roughness[pixel], 0.05F);
+      light += static_cast<double>(colours[3 * pixel]);
+      damp_light += static_cast<double>(damp_colours[3 * pixel]);
+      if (normals[3 * pixel] == 0.5F && normals[3 * pixel + 1] == 0.5F) ++level;
+    }
+  }
+  // A fifth of the middles of faces, and the joints between them and a little beyond.
+  EXPECT_GT(flooded, 300U * 300U / 5U);
+  EXPECT_LT(flooded, 300U * 300U / 2U);
+  EXPECT_GT(level, flooded / 2U);
+  EXPECT_LT(light, 0.85 * damp_light);
+}
+
 // ---- the files
 
 std::string bytes_of(const fs::path& path) {

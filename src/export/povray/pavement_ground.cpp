@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/lattice.h"
@@ -134,14 +136,12 @@ void append_bed(std::string& text, const std::string& prefix, const paving::Pave
 }
 
 std::string water_text(const paving::Pavement& pavement, const std::string& prefix, std::span<const StoneText> stones) {
-  if (pavement.look.wetness <= 0.5 || stones.empty()) return {};
-  constexpr double flooded_when_wettest = 1.0 / 3.0;
   std::vector<double> faces;
   faces.reserve(stones.size());
   for (const StoneText& stone : stones) faces.push_back(stone.face_mm);
-  std::ranges::sort(faces);
-  const double share = 2.0 * (pavement.look.wetness - 0.5) * flooded_when_wettest;
-  const double level = rounded(faces[static_cast<std::size_t>(share * static_cast<double>(faces.size() - 1))]);
+  const std::optional<double> water = paving::water_level_mm(pavement.look, std::move(faces));
+  if (!water) return {};
+  const double level = rounded(*water);
   std::string text = fmt::format("#declare {}_Water =\n", prefix);
   append_prism(text, pavement, fmt::format("-{}", rounded(pavement.ground.depth_mm + pavement.ground.settlement_mm)),
                fmt::format("{}", level), "   Shatterpave_Water()\n" + ground_transform(pavement));

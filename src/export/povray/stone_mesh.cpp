@@ -135,25 +135,6 @@ StoneMesh displaced(const std::vector<BezierPatch>& patches, const ReliefWindow&
   return mesh;
 }
 
-double height_at(const std::vector<BezierPatch>& patches, vec2 place) {
-  double height = -std::numeric_limits<double>::infinity();
-  double nearest2 = std::numeric_limits<double>::infinity();
-  constexpr int steps = 8;
-  for (const BezierPatch& patch : patches) {
-    for (int i = 0; i <= steps; ++i) {
-      for (int j = 0; j <= steps; ++j) {
-        const vec3 p = geometry::point(patch, static_cast<double>(i) / steps, static_cast<double>(j) / steps);
-        const vec2 offset = vec2{p.x, p.y} - place;
-        const double distance2 = glm::dot(offset, offset);
-        if (distance2 >= nearest2) continue;
-        nearest2 = distance2;
-        height = p.z;
-      }
-    }
-  }
-  return height;
-}
-
 StoneMesh prism(const Polygon& outline, const std::vector<BezierPatch>& patches, double arris_mm) {
   const vec2 middle = geometry::centroid(outline);
   const Polygon corners = paving::corners(outline, 0.05 * std::sqrt(geometry::area(outline)));
@@ -169,9 +150,9 @@ StoneMesh prism(const Polygon& outline, const std::vector<BezierPatch>& patches,
   const double part = std::min(0.4, arris_mm / size);
   for (const vec2& corner : corners) {
     const vec2 top = corner + part * (middle - corner);
-    mesh.vertices.push_back({top.x, top.y, height_at(patches, corner + (part + 0.05) * (middle - corner))});
+    mesh.vertices.push_back({top.x, top.y, geometry::height_at(patches, corner + (part + 0.05) * (middle - corner))});
   }
-  mesh.vertices.push_back({middle.x, middle.y, height_at(patches, middle)});
+  mesh.vertices.push_back({middle.x, middle.y, geometry::height_at(patches, middle)});
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t next = (i + 1) % count;
     for (const std::uint32_t corner : {i, next, count + next, i, count + next, count + i, count + i, count + next, 2 * count}) {

@@ -33,7 +33,4 @@ StoneMesh displaced(const std::vector<geometry::BezierPatch>& patches, const Rel
 // as the patches do.
 StoneMesh prism(const geometry::Polygon& outline, const std::vector<geometry::BezierPatch>& patches, double arris_mm);
 
-// Of the surface of the patches over `place`, to a hundredth of a patch; of the highest point where none lies over it.
-double height_at(const std::vector<geometry::BezierPatch>& patches, vec2 place);
-
 }  // namespace shatterpave::exporting::povray

@@ -126,7 +126,7 @@ StoneText stone_text(const Making& making, std::size_t index) {
   const Fineness fine = fineness(pavement, centre, size_mm);
   if (!fine.chips && draws.body) draws.body->chips_per_m = 0.0;
   const std::vector<BezierPatch> patches = making.surface.patches(index, draws);
-  result.face_mm = height_at(patches, centre);
+  result.face_mm = geometry::height_at(patches, centre);
   const auto texture_place = [&](vec2 p) { return draws.relief_place + (p - centre) / making.relief_side_mm; };
   if (fine.form == Form::patches) {
     for (const BezierPatch& patch : patches) {

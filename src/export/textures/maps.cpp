@@ -219,6 +219,7 @@ void Maps::base_color_row(std::size_t row, std::span<float> values) const {
     Colour colour = pixel.part < 1.0F ? looks_->palette.bed_colour(pixel.bed) : Colour{};
     if (pixel.stone != nullptr)
       colour = mixed(colour, looks_->palette.stone_colour(pixel.stone->look, pixel.place), pixel.part);
+    if (map_.is_flooded(map_.index(x, row))) colour = Palette::under_water(colour);
     values[3 * x] = colour.red;
     values[3 * x + 1] = colour.green;
     values[3 * x + 2] = colour.blue;
@@ -231,6 +232,7 @@ void Maps::roughness_row(std::size_t row, std::span<float> values) const {
     values[x] = pixel.part < 1.0F ? looks_->palette.bed_roughness(pixel.bed) : 0.0F;
     if (pixel.stone != nullptr)
       values[x] += pixel.part * (looks_->palette.stone_roughness(pixel.stone->look, pixel.place) - values[x]);
+    if (map_.is_flooded(map_.index(x, row))) values[x] = Palette::water_roughness;
   }
 }
 

@@ -258,4 +258,7 @@ float Palette::bed_roughness(const BedPlace& place) const {
   return dry + 0.5F * damp_ * (wet_roughness - dry);
 }
 
+// By eye: a puddle on paving is some millimetres deep and not quite clear.
+Colour Palette::under_water(const Colour& colour) { return colour * Colour{0.72F, 0.70F, 0.64F}; }
+
 }  // namespace shatterpave::exporting::textures

@@ -54,6 +54,10 @@ class Palette {
   // 0 is a mirror, 1 is chalk: feet polish what stands out of a stone, and water lies over all.
   float stone_roughness(const StoneLook& stone, const Place& place) const;
 
+  // What is below standing water looks so, and the water's own surface is as smooth as that.
+  static Colour under_water(const Colour& colour);
+  static constexpr float water_roughness = 0.02F;
+
   Colour bed_colour(const BedPlace& place) const;
   float bed_roughness(const BedPlace& place) const;
 

@@ -30,6 +30,8 @@ constexpr std::size_t band_samples = 4'000'000;
 constexpr std::size_t most_rows = 256;
 constexpr std::size_t fewest_bands = 16;
 
+constexpr std::size_t stones_at_once = 256;
+
 // A stone in one of its places.
 struct Placed {
   std::uint32_t stone = 0;
@@ -74,6 +76,7 @@ class Drawing {
         bed_(surface.pavement, surface.fields.grain, map.grid, surface.periodic, sample_mm().y),
         laid_(laid_surface(surface, map.grid)) {
     if (surface.pavement.relief.rms_mm > 0.0) relief_.emplace(surface.fields.relief, sample_mm().y);
+    map.water_mm = water_level();
     placed_ = placed_stones(surface, window(), map.grid.size_mm());
     list_bands();
   }
@@ -116,6 +119,21 @@ class Drawing {
     const geometry::Box box = window();
     const vec2 offset = (sample + 0.5) * sample_mm();
     return {box.low.x + offset.x, box.high.y - offset.y};
+  }
+
+  // Of all stones, whether or not they are in the window.
+  std::optional<float> water_level() const {
+    const paving::Look& look = surface_.pavement.look;
+    if (!paving::water_level_mm(look, {0.0})) return std::nullopt;
+    std::vector<double> faces(surface_.stones.size());
+    parallel_for_chunks(faces.size(), stones_at_once, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) {
+        const vec2 centre = geometry::centroid(surface_.stones[s].outline_mm);
+        faces[s] = geometry::height_at(laid_.patches(s, laid_.draws(s)), centre);
+      }
+    });
+    const std::optional<double> level = paving::water_level_mm(look, std::move(faces));
+    return level ? std::optional(static_cast<float>(*level)) : std::nullopt;
   }
 
   struct Rows {
@@ -246,7 +264,7 @@ class Drawing {
         }
       }
       const std::size_t pixel = to_row * map_.row_length() + column;
-      map_.height_mm[pixel] = sum / count;
+      map_.height_mm[pixel] = std::max(sum / count, map_.water_mm.value_or(HeightBlock::nothing));
       map_.stone[pixel] = most_of(found.data(), n);
       map_.cover[pixel] = static_cast<std::uint8_t>((stones * 255 + n / 2) / n);
     }

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "export/textures/fields.h"
@@ -37,11 +38,13 @@ struct SurfaceMap {
   std::vector<float> height_mm;      // (width + 2 halo) × (height + 2 halo), row by row from the top
   std::vector<std::uint32_t> stone;  // which has most of the pixel, of stones: its index, plus 1; 0 is none
   std::vector<std::uint8_t> cover;   // how much of the pixel is stone, 0 … 255
+  std::optional<float> water_mm;     // where water stands in low spots: heights are at least this
 
   std::size_t row_length() const { return grid.width + 2 * halo; }
   std::size_t rows() const { return grid.height + 2 * halo; }
   // The stone of a pixel that is at least half stone, as above; 0 is the joint.
   std::uint32_t owner(std::size_t pixel) const { return cover[pixel] >= 128 ? stone[pixel] : 0; }
+  bool is_flooded(std::size_t pixel) const { return water_mm && height_mm[pixel] == *water_mm; }
   // Of a pixel of the window.
   std::size_t index(std::size_t column, std::size_t row) const { return (row + halo) * row_length() + column + halo; }
 };

@@ -66,6 +66,10 @@ void require_output_folder(const fs::path& folder) {
       if (fs::is_directory(status)) return;
       throw InputError(Place{folder.string(), 0, 0, ""}, fmt::format("expected an output folder, got a file: {}", p.string()));
     }
+    if (fs::is_symlink(fs::symlink_status(p, error))) {
+      throw InputError(Place{folder.string(), 0, 0, ""},
+                       fmt::format("expected an output folder, got a link to nothing: {}", p.string()));
+    }
     if (p == p.parent_path()) return;
   }
 }

@@ -86,7 +86,10 @@ class Lengths {
   double length(const char* name, double whole, double otherwise) const {
     const std::string_view text = property(node_, name);
     if (text.empty() || text == "auto") return otherwise;
-    return text.ends_with('%') ? px_of(text.substr(0, text.size() - 1)) / 100.0 * whole : px_of(text);
+    if (!text.ends_with('%')) return px_of(text);
+    // Of a page without a size, which a browser would make as large as its window.
+    if (whole <= 0.0) throw SvgError(fmt::format("a viewBox, or a size of the page, beside {}, got none", in_quotes(text)));
+    return px_of(text.substr(0, text.size() - 1)) / 100.0 * whole;
   }
 
   const pugi::xml_node& node_;

@@ -75,6 +75,15 @@ TEST_F(Writing, FileInPlaceOfTheFolderIsWrongInput) {
   EXPECT_EQ(content(), before);
 }
 
+TEST_F(Writing, LinkToNothingInPlaceOfTheFolderIsWrongInput) {
+  fs::create_symlink(root / "nowhere/at/all", root / "link");
+  EXPECT_THROW(require_output_folder(root / "link"), InputError);
+  EXPECT_THROW(require_output_folder(root / "link/below"), InputError);
+  fs::create_directory(root / "there");
+  fs::create_symlink(root / "there", root / "good");
+  EXPECT_NO_THROW(require_output_folder(root / "good/below"));
+}
+
 TEST_F(Writing, FullDiskIsAnErrorOfTheSystem) {
   EXPECT_THROW(write_file("/dev/full", "x"), fs::filesystem_error);
   EXPECT_THROW(write_file(root / "no/such/folder.txt", "x"), fs::filesystem_error);

@@ -339,6 +339,12 @@ TEST(Svg, NestedViewportsAndPercentages) {
   EXPECT_NEAR(circle.high.x, 600.0, 0.002);
 }
 
+TEST(Svg, PercentagesOfAPageWithoutASizeAreRefused) {
+  EXPECT_EQ(message_of([] { svg(R"(<rect width="50%" height="9"/>)", R"(width="100%" height="100%")"); }),
+            "a.svg:2:2: rect: expected a viewBox, or a size of the page, beside \"50%\", got none");
+  EXPECT_EQ(svg(R"(<rect width="50" height="9"/>)", R"(width="100%" height="100%")").outline.size(), 4U);
+}
+
 TEST(Svg, UseDrawsTheOriginalElsewhere) {
   const std::string body =
       "<defs><g id=\"pair\"><rect id=\"r\" width=\"10\" height=\"10\"/><rect x=\"20\" width=\"10\" height=\"10\"/></g>"

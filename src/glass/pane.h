@@ -164,6 +164,7 @@ struct Tempering {
 
 // What becomes of the pieces between the cracks. Defaults without a source were chosen by eye, see scenes/broken_window.toml.
 struct ShardRules {
+  bool joined = false;        // pieces that stand side by side are one body, without a gap between them
   double gap_mm = 0.06;       // opening of cracks between pieces, face to face
   double splinter_mm2 = 4.0;  // pieces with a smaller face are dust
   double bevel_mm = 0.12;     // width and depth of the bevel along broken edges; 0: none

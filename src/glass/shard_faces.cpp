@@ -157,7 +157,7 @@ geometry::Polygon polygon(const FaceRing& ring) {
 
 FacedPane faced_pane(const Pane& pane, const CrackNetwork& network) {
   FacedPane result;
-  const auto [edge, outward] = edge_of(lattice_points(pane.outline_mm), network);
+  auto [edge, outward] = edge_of(lattice_points(pane.outline_mm), network);
   for (std::size_t i = 0; i < edge.size(); ++i) result.segments.push_back({edge[i], edge[(i + 1) % edge.size()], pane_edge});
   for (const Crack& crack : network.cracks) {
     if (!crack.through) continue;
@@ -165,6 +165,7 @@ FacedPane faced_pane(const Pane& pane, const CrackNetwork& network) {
     for (std::size_t i = 1; i < points.size(); ++i) result.segments.push_back({points[i - 1], points[i], crack.id});
   }
   std::vector<geometry::Face> faces = geometry::faces(result.segments, outward);
+  result.outward = std::move(outward);
   std::vector<std::string> ids = names(result.segments, faces);
   for (std::size_t i = 0; i < faces.size(); ++i) result.faces.push_back({std::move(ids[i]), std::move(faces[i])});
   return result;

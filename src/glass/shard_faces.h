@@ -23,7 +23,8 @@ struct ShardFace {
 };
 
 struct FacedPane {
-  std::vector<geometry::Segment> segments;  // owner: id of the crack, or pane_edge
+  std::vector<geometry::Segment> segments;      // the edge, then the cracks; owner: id of the crack, or pane_edge
+  std::vector<geometry::LatticePoint> outward;  // for each segment of the edge, as geometry::faces wants it
   std::vector<ShardFace> faces;
 };
 

@@ -1,15 +1,18 @@
 // Between a sharp face and the upper end of the walls lies a bevel: the ring between the outline and a smaller face inside it,
 // parted into triangles in the plane and lifted, each vertex to the height of the ring that it is of. So it closes whatever the
-// two look like. Chips are bites off the smaller face, which make the bevel wide there.
+// two look like. Chips are bites off the smaller face, which make the bevel wide there. Where there are holes, the bevel is as
+// many strips as there is room between the rings of the one and of the other.
 #include "glass/shard_solid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <iterator>
 #include <span>
+#include <utility>
 
 #include "geometry/clip.h"
+#include "geometry/contacts.h"
 #include "geometry/simple.h"
 #include "geometry/triangulation.h"
 #include "glass/shards.h"
@@ -53,20 +56,23 @@ struct BrokenSide {
 std::vector<BrokenSide> broken_sides(const ShardBlank& blank) {
   std::vector<BrokenSide> sides;
   double length_mm = 0.0;
-  const Polygon& outline = blank.region.outline;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    if (blank.is_old.front()[i]) continue;
-    const vec2 b = outline[(i + 1) % outline.size()];
-    length_mm += glm::length(b - outline[i]);
-    sides.push_back({outline[i], b, length_mm});
+  const std::vector<Polygon> rings = geometry::rings_of({blank.region});
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    const Polygon& ring = rings[k];
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (blank.is_old[k][i]) continue;
+      const vec2 b = ring[(i + 1) % ring.size()];
+      length_mm += glm::length(b - ring[i]);
+      sides.push_back({ring[i], b, length_mm});
+    }
   }
   return sides;
 }
 
-// Bites off the broken edges of one face of the shard.
-std::vector<Polygon> bites(const ShardBlank& blank, const ShardRules& rules, Id face, std::uint64_t seed) {
+// Chips off the broken edges of one face of the shard.
+std::vector<Chip> chips_of(const ShardBlank& blank, const ShardRules& rules, Id face, std::uint64_t seed) {
   const std::vector<BrokenSide> sides = broken_sides(blank);
-  std::vector<Polygon> result;
+  std::vector<Chip> result;
   if (sides.empty() || rules.chip_mm <= 0.0) return result;
   const double length_mm = sides.back().end_mm;
   const int count = poisson(seed, {Stream::shard_chip, face}, std::min(1000.0, rules.chips_per_m * length_mm / 1000.0));
@@ -86,30 +92,53 @@ std::vector<Polygon> bites(const ShardBlank& blank, const ShardRules& rules, Id 
     const double size = draw();
     const double half_mm = rules.chip_mm * (0.15 + 0.85 * size * size);
     const double reach_mm = half_mm * (0.25 + 0.35 * draw());
-    result.push_back(bite(side->b - (side->end_mm - at_mm) * along, along, half_mm, reach_mm, seed, address));
+    const vec2 at = side->b - (side->end_mm - at_mm) * along;
+    result.push_back({at, bite(at, along, half_mm, reach_mm, seed, address)});
   }
   return result;
 }
 
-// What bevel and chips leave of a face: strictly inside the outline, in one piece.
-std::optional<LatticeRing> small_face(const ShardBlank& blank, const ShardRules& rules, double bevel_mm, Id face,
-                                      std::uint64_t seed) {
-  if (bevel_mm <= 0.0 || !blank.region.holes.empty()) return std::nullopt;
+std::vector<Polygon> bites(const std::vector<Chip>& chips) {
+  std::vector<Polygon> result(chips.size());
+  std::ranges::transform(chips, result.begin(), &Chip::bite);
+  return result;
+}
+
+// What bevel and chips leave of a face: strictly inside the outline, in one piece; nothing where the side stays sharp.
+std::vector<Region> small_face(const ShardBlank& blank, double bevel_mm, const std::vector<Chip>& chips) {
+  if (bevel_mm <= 0.0 || !blank.region.holes.empty()) return {};
   const auto largest = [](const std::vector<Region>& regions) {
     return std::ranges::max_element(regions, {}, [](const Region& region) { return geometry::area(region); });
   };
   const std::vector<Region> inner = geometry::offset(blank.region, -bevel_mm);
   const auto sharp = largest(inner);
-  if (sharp == inner.end()) return std::nullopt;
-  const std::vector<Region> chipped = geometry::difference(*sharp, geometry::united(bites(blank, rules, face, seed)));
+  if (sharp == inner.end()) return {};
+  const std::vector<Region> chipped = geometry::difference(*sharp, geometry::united(bites(chips)));
   const auto left = largest(chipped);
-  if (left == chipped.end()) return std::nullopt;
+  if (left == chipped.end()) return {};
   // Rounding to the lattice can make a ring cross itself where a bite leaves a hair of glass. Then the edge stays without
   // chips.
   for (const Region& small : {*left, *sharp}) {
-    if (small.holes.empty() && !geometry::region_fault(small.outline, {})) return geometry::lattice_rings(small).front();
+    if (small.holes.empty() && !geometry::region_fault(small.outline, {})) return {small};
   }
-  return std::nullopt;
+  return {};
+}
+
+// The same about holes and in several parts, but for those that are splinters.
+std::vector<Region> small_faces(const ShardBlank& blank, const ShardRules& rules, double bevel_mm,
+                                const std::vector<Chip>& chips) {
+  if (bevel_mm <= 0.0) return {};
+  const std::vector<Region> removed = geometry::united(bites(chips));
+  std::vector<Region> small;
+  for (const Region& inner : geometry::offset(blank.region, -bevel_mm)) {
+    std::ranges::move(geometry::difference(inner, removed), std::back_inserter(small));
+  }
+  small = geometry::parted(std::move(small));
+  std::erase_if(small, [&](const Region& part) { return geometry::area(part) < rules.splinter_mm2; });
+  std::vector<Region> all = small;
+  all.push_back(blank.region);
+  // A bevel of a few µm is nothing but rounding.
+  return geometry::contacts(geometry::rings_of(all)).empty() ? small : std::vector<Region>{};
 }
 
 // Builds the surface from rings, each of which is a run of vertices.
@@ -151,56 +180,149 @@ class Surface {
   Solid solid_;
 };
 
-// The bevel between the outline, whose vertices start at `outer`, and the small face, and that face.
-void add_bevelled_face(Surface& surface, const LatticeRing& outline, std::size_t outer, const LatticeRing& small,
-                       std::int64_t z, bool up, const std::vector<bool>& is_old) {
-  const std::size_t inner = surface.add(small, z);
-  const std::size_t n = outline.size();
-  const std::size_t m = small.size();
-  std::vector<LatticeRing> ring{outline, LatticeRing(small.rbegin(), small.rend())};
-  const auto vertex = [&](std::size_t corner) { return corner < n ? outer + corner : inner + m - 1 - (corner - n); };
-  for (const auto& corners : geometry::triangulation(ring)) {
-    int slot = broken_slot;
-    if (std::ranges::all_of(corners, [&](std::size_t c) { return c >= n; })) slot = old_slot;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t a = corners[i];
-      if (a < n && corners[(i + 1) % 3] == (a + 1) % n && is_old[a]) slot = old_slot;
-    }
-    surface.cap_triangle({vertex(corners[0]), vertex(corners[1]), vertex(corners[2])}, up, slot);
-  }
-  surface.face(std::span(&small, 1), inner, up);
+// ---- bevels
+
+// A vertex of a strip of bevel.
+struct StripCorner {
+  std::size_t vertex = 0;  // of the surface
+  std::size_t next = 0;    // the one after it on the border of the blank
+  bool on_border = false;
+  bool is_old = false;  // the side to the next one
+};
+
+// What lies between rings of the blank and of the small faces.
+struct Strip {
+  std::vector<LatticeRing> rings;
+  std::vector<StripCorner> corners;  // of all rings
+};
+
+// Vertices of the surface start at `first`.
+void append_border(Strip& strip, const LatticeRing& ring, const std::vector<bool>& is_old, std::size_t first) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) strip.corners.push_back({first + i, first + (i + 1) % n, true, is_old[i]});
+  strip.rings.push_back(ring);
 }
 
-}  // namespace
+// A ring of a small face, the other way round.
+void append_turned(Strip& strip, const LatticeRing& ring, std::size_t first) {
+  for (std::size_t i = ring.size(); i-- > 0;) strip.corners.push_back({first + i, 0, false, false});
+  strip.rings.emplace_back(ring.rbegin(), ring.rend());
+}
 
-Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed) {
+// Each hole of a small face holds a strip, and so does the outline; other rings are holes of the innermost that holds them.
+//   outer, inner  where the vertices of the blank and of the small faces start, ring after ring
+std::vector<Strip> strips(const ShardBlank& blank, std::size_t outer, const std::vector<Region>& small, std::size_t inner) {
+  std::vector<Strip> result(1);
+  std::vector<const Polygon*> about{&blank.region.outline};
+  struct Turned {
+    const Polygon* outline;
+    std::size_t first;
+  };
+  std::vector<Turned> outlines;
+  for (const Region& region : small) {
+    const std::vector<LatticeRing> rings = geometry::lattice_rings(region);
+    outlines.push_back({&region.outline, inner});
+    inner += rings.front().size();
+    for (std::size_t k = 1; k < rings.size(); ++k) {
+      append_turned(result.emplace_back(), rings[k], inner);
+      about.push_back(&region.holes[k - 1]);
+      inner += rings[k].size();
+    }
+  }
+  const auto strip_with = [&](vec2 p) -> Strip& {
+    std::size_t found = 0;
+    for (std::size_t i = 1; i < about.size(); ++i) {
+      if (!geometry::contains(*about[i], p)) continue;
+      if (found == 0 || std::abs(geometry::area(*about[i])) < std::abs(geometry::area(*about[found]))) found = i;
+    }
+    return result[found];
+  };
+  const std::vector<LatticeRing> borders = geometry::lattice_rings(blank.region);
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    Strip& strip = k == 0 ? result.front() : strip_with(blank.region.holes[k - 1].front());
+    append_border(strip, borders[k], blank.is_old[k], outer);
+    outer += borders[k].size();
+  }
+  for (const Turned& turned : outlines) {
+    append_turned(strip_with(turned.outline->front()), geometry::lattice_rings({*turned.outline, {}}).front(), turned.first);
+  }
+  return result;
+}
+
+void add_strip(Surface& surface, const Strip& strip, bool up) {
+  for (const auto& [a, b, c] : geometry::triangulation(strip.rings)) {
+    const std::array<StripCorner, 3> corners{strip.corners[a], strip.corners[b], strip.corners[c]};
+    int slot = broken_slot;
+    if (std::ranges::none_of(corners, &StripCorner::on_border)) slot = old_slot;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const StripCorner& next = corners[(i + 1) % 3];
+      if (corners[i].is_old && next.on_border && next.vertex == corners[i].next) slot = old_slot;
+    }
+    surface.cap_triangle({corners[0].vertex, corners[1].vertex, corners[2].vertex}, up, slot);
+  }
+}
+
+// The bevel between the blank, whose vertices start at `outer`, and the small faces, and these.
+void add_bevelled_face(Surface& surface, const ShardBlank& blank, std::size_t outer, const std::vector<Region>& small,
+                       std::int64_t z, bool up) {
+  std::vector<std::size_t> firsts;
+  for (const Region& region : small) {
+    const std::vector<LatticeRing> rings = geometry::lattice_rings(region);
+    firsts.push_back(surface.add(rings.front(), z));
+    for (std::size_t k = 1; k < rings.size(); ++k) surface.add(rings[k], z);
+  }
+  for (const Strip& strip : strips(blank, outer, small, firsts.front())) add_strip(surface, strip, up);
+  for (std::size_t i = 0; i < small.size(); ++i) surface.face(geometry::lattice_rings(small[i]), firsts[i], up);
+}
+
+double bevel_of(const ShardBlank& blank, const ShardRules& rules) {
+  return std::min(rules.bevel_mm, most_bevel * blank.thickness_mm);
+}
+
+// The solid whose front and back are these small faces; none: that side is sharp.
+Solid solid(const ShardBlank& blank, double bevel_mm, const std::vector<Region>& front, const std::vector<Region>& back) {
   const std::vector<LatticeRing> rings = geometry::lattice_rings(blank.region);
-  const double bevel_mm = std::min(rules.bevel_mm, most_bevel * blank.thickness_mm);
-  const std::optional<LatticeRing> front = small_face(blank, rules, bevel_mm, blank.id.child("front"), seed);
-  const std::optional<LatticeRing> back = small_face(blank, rules, bevel_mm, blank.id.child("back"), seed);
   const std::int64_t top = geometry::to_lattice(blank.thickness_mm);
   const std::int64_t depth = geometry::to_lattice(bevel_mm);
 
   // All rings at the lower ends of the walls, then all at the upper ends.
   Surface surface;
   std::size_t count = 0;
-  for (const LatticeRing& ring : rings) count = surface.add(ring, back ? depth : 0) + ring.size();
-  for (const LatticeRing& ring : rings) surface.add(ring, front ? top - depth : top);
+  for (const LatticeRing& ring : rings) count = surface.add(ring, back.empty() ? 0 : depth) + ring.size();
+  for (const LatticeRing& ring : rings) surface.add(ring, front.empty() ? top : top - depth);
   std::size_t first = 0;
   for (const std::vector<bool>& is_old : blank.is_old) {
     surface.wall(first, count + first, is_old);
     first += is_old.size();
   }
-  const auto close = [&](const std::optional<LatticeRing>& small, std::size_t at, std::int64_t z, bool up) {
-    if (small) {
-      add_bevelled_face(surface, rings.front(), at, *small, z, up, blank.is_old.front());
-    } else {
+  const auto close = [&](const std::vector<Region>& small, std::size_t at, std::int64_t z, bool up) {
+    if (small.empty()) {
       surface.face(rings, at, up);
+    } else {
+      add_bevelled_face(surface, blank, at, small, z, up);
     }
   };
   close(front, count, top, true);
   close(back, 0, 0, false);
   return surface.taken();
+}
+
+}  // namespace
+
+Chips chips(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed) {
+  return {chips_of(blank, rules, blank.id.child("front"), seed), chips_of(blank, rules, blank.id.child("back"), seed)};
+}
+
+Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed) {
+  const double bevel_mm = bevel_of(blank, rules);
+  const auto [front, back] = chips(blank, rules, seed);
+  return solid(blank, bevel_mm, small_face(blank, bevel_mm, front), small_face(blank, bevel_mm, back));
+}
+
+Solid joined_solid(const ShardBlank& blank, const ShardRules& rules, const Chips& chips) {
+  const double bevel_mm = bevel_of(blank, rules);
+  return solid(blank, bevel_mm, small_faces(blank, rules, bevel_mm, chips.front),
+               small_faces(blank, rules, bevel_mm, chips.back));
 }
 
 }  // namespace shatterpave::glass

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "core/vec.h"
 #include "geometry/polygon.h"
 #include "geometry/solid.h"
 #include "glass/pane.h"
@@ -19,8 +20,24 @@ struct ShardBlank {
   Id id;  // for its chips
 };
 
+// Flakes off the broken edges of the two faces.
+struct Chip {
+  vec2 at_mm{0.0, 0.0};    // on the border
+  geometry::Polygon bite;  // what it takes of the face
+};
+struct Chips {
+  std::vector<Chip> front;
+  std::vector<Chip> back;
+};
+Chips chips(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed);
+
 // Slots are ShardSurface, z runs from 0 to the thickness. Front and back faces are smaller than the region by the bevel and by
 // chips off broken edges; where nothing of one would be left, or the region has holes, that side stays sharp.
 geometry::Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed);
+
+// The same for a body of many pieces, with bevels and the chips given along all edges, those of holes too. Where a neck between
+// them is so narrow that they meet, faces are in parts.
+//   REQUIRES  no two rings touch
+geometry::Solid joined_solid(const ShardBlank& blank, const ShardRules& rules, const Chips& chips);
 
 }  // namespace shatterpave::glass

@@ -36,10 +36,12 @@ struct Motion {
 vec3 moved(const Motion& motion, vec3 p_mm);
 
 struct Shard {
-  std::string id;         // as ShardFace; a face that gaps cut in several adds "p1", "p2" … to all but the largest
-  geometry::Region face;  // of the pane before bevels and chips, in the pane's plane
-  geometry::Solid solid;  // slots are ShardSurface; z from 0, the back of the pane, to its thickness
-  double frame_mm = 0.0;  // length of its border that the frame holds
+  std::string id;  // as ShardFace; a face that gaps cut in several adds "p1", "p2" … to all but the largest. Of a joined body:
+                   // that of its first piece
+  std::vector<std::string> joined;  // ids of the pieces that are one body here, in order: two or more, or none
+  geometry::Region face;            // of the pane before bevels and chips, in the pane's plane
+  geometry::Solid solid;            // slots are ShardSurface; z from 0, the back of the pane, to its thickness
+  double frame_mm = 0.0;            // length of its border that the frame holds
   ShardState state = ShardState::standing;
   Motion motion;  // from where it was in the pane to where it is
 
@@ -56,6 +58,9 @@ vec3 in_pane_mm(const geometry::LatticePoint3& vertex, double thickness_mm);
 // 1. every solid is closed and oriented (geometry/solid.h);
 // 2. no two that stand overlap: each lies within its own face, at least half the gap less 2 µm from every crack on its border;
 // 3. what shards leave of the pane's volume are gaps, bevels, chips and splinters alone.
+// 4. rules.joined changes neither who stands nor where what has fallen lies: pieces that stand, and whose faces have a stretch
+// of
+//    crack in common, are one body then. Its face keeps 2. for the cracks on its border; those within it leave no trace.
 // Of those that have fallen, none reaches into another, the sill, the floor or a standing one (fall.h).
 //   REQUIRES pane.shards; the network is that of the pane
 std::vector<Shard> shards(const Pane& pane, const CrackNetwork& network, std::uint64_t seed);

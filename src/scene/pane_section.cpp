@@ -88,8 +88,8 @@ constexpr std::array shard_numbers = {
 
 void read_shards(const TomlTable& pane, std::optional<ShardRules>& shards) {
   const auto table = pane.table(
-      "shards", {"enabled", "gap_mm", "splinter_mm2", "bevel_mm", "chips_per_m", "chip_mm", "missing", "missing_mm", "held",
-                 "fallen", "throw_m_s", "sill_drop_mm", "sill_depth_mm", "frame_mm", "reveal_mm", "floor_drop_mm"});
+      "shards", {"enabled", "joined", "gap_mm", "splinter_mm2", "bevel_mm", "chips_per_m", "chip_mm", "missing", "missing_mm",
+                 "held", "fallen", "throw_m_s", "sill_drop_mm", "sill_depth_mm", "frame_mm", "reveal_mm", "floor_drop_mm"});
   if (!table) return;
   ShardRules rules;
   for (const ShardNumber& number : shard_numbers) table->read(number.key, number.range, rules.*number.member);
@@ -97,6 +97,7 @@ void read_shards(const TomlTable& pane, std::optional<ShardRules>& shards) {
     refuse(table->place("floor_drop_mm"), fmt::format("a floor not above the sill, so {} or more", rules.sill_drop_mm),
            fmt::format("{}", rules.floor_drop_mm));
   }
+  rules.joined = table->flag("joined").value_or(rules.joined);
   if (table->flag("enabled").value_or(true)) shards = rules;
 }
 

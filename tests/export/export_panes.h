@@ -29,13 +29,14 @@ inline exporting::BrokenPane broken_pane(const glass::Pane& pane) {
 }
 
 // The same in shards, of which some have fallen.
-inline exporting::BrokenPane shattered_pane(int radial_count) {
+inline exporting::BrokenPane shattered_pane(int radial_count, bool joined = false) {
   exporting::BrokenPane broken;
   broken.pane = pane_with(radial_count);
   broken.pane.shards = glass::ShardRules{};
   broken.pane.shards->chips_per_m = 20.0;
   broken.pane.shards->missing_mm = 80.0;
   broken.pane.shards->fallen = 0.5;
+  broken.pane.shards->joined = joined;
   broken.network = glass::grown_cracks(broken.pane, 7);
   broken.shards = glass::shards(broken.pane, broken.network, 7);
   return broken;

@@ -244,5 +244,32 @@ TEST(RenderGlassCases, Shards) {
   }
 }
 
+// Bodies of joined shards with the tubes of cracks within them, also where one body is all that is left.
+class RenderJoinedShards : public testing::TestWithParam<int> {};
+
+TEST_P(RenderJoinedShards, WithoutWarning) {
+  Model model = model_of_both();
+  model.panes = {support::shattered_pane(GetParam(), true)};
+  model.setting = "broken_window_still";
+  expect_renders("joined_" + std::to_string(GetParam()), model);
+  std::erase_if(model.panes[0].shards, [](const glass::Shard& shard) { return shard.joined.empty(); });
+  model.panes[0].shards.resize(1);
+  expect_renders("joined_alone_" + std::to_string(GetParam()), model);
+}
+
+INSTANTIATE_TEST_SUITE_P(Radials, RenderJoinedShards, testing::Values(24, 200));
+
+TEST(PovrayFiles, HeaderNamesTheCracksWithinJoinedShards) {
+  Model model = model_of_both();
+  model.panes = {support::shattered_pane(60)};
+  const std::string apart = file_named(povray_files(model), "window.inc").content;
+  EXPECT_EQ(apart.find("window_Cracks"), std::string::npos);
+  model.panes = {support::shattered_pane(60, true)};
+  const std::string joined = file_named(povray_files(model), "window.inc").content;
+  EXPECT_NE(joined.find("#declare window_Cracks =\nunion {"), std::string::npos);
+  EXPECT_NE(joined.find("object { window_Cracks material { Shatterpave_Crack } double_illuminate }"), std::string::npos);
+  EXPECT_NE(joined.substr(0, joined.find("#ifndef")).find("window_Cracks"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace shatterpave::exporting::povray

@@ -49,6 +49,32 @@ TEST(ShardsJson, TellWhatEachShardIsAndWhereItIs) {
   EXPECT_GT(states["missing"], 2);
 }
 
+// A body lists its pieces; together with the rest these are the shards that there are without joining, and no other has a list.
+TEST(ShardsJson, TellThePiecesOfJoinedBodies) {
+  Model model = shattered_model();
+  const std::string apart = json_file(model).content;
+  EXPECT_EQ(apart.find("joined"), std::string::npos);
+  std::set<std::string> expected;
+  for (const glass::Shard& shard : model.panes[0].shards) expected.insert(shard.id);
+  model.panes = {support::shattered_pane(100, true)};
+  std::set<std::string> ids;
+  std::size_t bodies = 0;
+  const nlohmann::json joined = nlohmann::json::parse(json_file(model).content);
+  for (const nlohmann::json& shard : joined["panes"][0]["shards"]) {
+    if (!shard.contains("joined")) {
+      EXPECT_TRUE(ids.insert(shard["id"]).second);
+      continue;
+    }
+    ++bodies;
+    EXPECT_EQ(shard["state"], "standing");
+    EXPECT_GE(shard["joined"].size(), 2U);
+    EXPECT_EQ(shard["joined"][0], shard["id"]);
+    for (const nlohmann::json& id : shard["joined"]) EXPECT_TRUE(ids.insert(id).second);
+  }
+  EXPECT_GE(bodies, 1U);
+  EXPECT_EQ(ids, expected);
+}
+
 TEST(ShardsJson, AreNotThereWhereNobodyAskedForThem) {
   Model model = shattered_model();
   model.panes[0].pane.shards.reset();
@@ -86,8 +112,11 @@ Read read_obj(const std::string& text) {
   return read;
 }
 
-TEST(ShardsObj, EachShardIsAClosedGroupWhereItIs) {
-  const Model model = shattered_model();
+class ShardsInObj : public testing::TestWithParam<bool> {};
+
+TEST_P(ShardsInObj, EachShardIsAClosedGroupWhereItIs) {
+  Model model = shattered_model();
+  model.panes = {support::shattered_pane(100, GetParam())};
   const std::vector<OutputFile> files = obj_files(model);
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].name, "scene.obj");
@@ -117,6 +146,8 @@ TEST(ShardsObj, EachShardIsAClosedGroupWhereItIs) {
   }
   EXPECT_EQ(there, read.faces.size());
 }
+
+INSTANTIATE_TEST_SUITE_P(Joined, ShardsInObj, testing::Bool());
 
 TEST(ShardsObj, WantsShards) {
   Model model = shattered_model();

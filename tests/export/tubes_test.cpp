@@ -160,5 +160,52 @@ TEST(TubesOfPane, KeepsTheLengthOfTheCracks) {
   EXPECT_LT(of_tubes, of_cracks);
 }
 
+// The tubes within joined shards: whole within one each, so far from its border as promised, and none touches another.
+class TubesInJoinedShards : public testing::TestWithParam<int> {};
+
+TEST_P(TubesInJoinedShards, LieWithinOneEach) {
+  const BrokenPane broken = support::shattered_pane(GetParam(), true);
+  std::vector<geometry::Region> bodies;
+  for (const glass::Shard& shard : broken.shards) {
+    if (!shard.joined.empty()) bodies.push_back(shard.face);
+  }
+  ASSERT_FALSE(bodies.empty());
+  const std::vector<Tube> tubes = tubes_within(broken.pane, broken.network, bodies);
+  EXPECT_GT(tubes.size(), 20U);
+  EXPECT_EQ(touching_pairs(tubes), 0);
+  for (const Tube& tube : tubes) {
+    int within = 0;
+    for (const geometry::Region& body : bodies) {
+      const bool has_start = geometry::contains(body, tube.a_mm);
+      EXPECT_EQ(has_start, geometry::contains(body, tube.b_mm));
+      if (has_start) ++within;
+      const auto expect_clear = [&](const geometry::Polygon& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          EXPECT_GT(distance(tube.a_mm, tube.b_mm, ring[i], ring[(i + 1) % ring.size()]), tube.radius_mm + clearance_mm);
+        }
+      };
+      expect_clear(body.outline);
+      std::ranges::for_each(body.holes, expect_clear);
+    }
+    EXPECT_EQ(within, 1);
+    // Bevels are at most 0.3 of the thickness deep.
+    EXPECT_LT(tube.radius_mm, 0.2 * broken.pane.thickness_mm);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Radials, TubesInJoinedShards, testing::Values(24, 60, 113, 200));
+
+// The wrong twin: the tubes of the whole pane leave the bodies.
+TEST(TubesInJoinedShardsTwin, ThoseOfTheWholePaneDoNot) {
+  const BrokenPane broken = support::shattered_pane(60, true);
+  const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
+  const auto is_out = [&](const Tube& tube) {
+    return std::ranges::none_of(broken.shards, [&](const glass::Shard& shard) {
+      return !shard.joined.empty() && geometry::contains(shard.face, tube.a_mm) && geometry::contains(shard.face, tube.b_mm);
+    });
+  };
+  EXPECT_GT(std::ranges::count_if(cracks.tubes, is_out), 20);
+}
+
 }  // namespace
 }  // namespace shatterpave::exporting::povray

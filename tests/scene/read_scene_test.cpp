@@ -169,10 +169,10 @@ TEST(ReadScene, EveryGrowthKeyReachesItsValue) {
 }
 
 TEST(ReadScene, EveryShardsKeyReachesItsValue) {
-  const std::vector<std::string> keys = {"gap_mm = 0.1",  "splinter_mm2 = 9", "bevel_mm = 0",       "chips_per_m = 1",
-                                         "chip_mm = 2",   "missing = 0.5",    "missing_mm = 10",    "held = 0.4",
-                                         "fallen = 0.1",  "throw_m_s = 1",    "sill_drop_mm = 20",  "sill_depth_mm = 90",
-                                         "frame_mm = 20", "reveal_mm = 10",   "floor_drop_mm = 700"};
+  const std::vector<std::string> keys = {"gap_mm = 0.1",  "splinter_mm2 = 9", "bevel_mm = 0",        "chips_per_m = 1",
+                                         "chip_mm = 2",   "missing = 0.5",    "missing_mm = 10",     "held = 0.4",
+                                         "fallen = 0.1",  "throw_m_s = 1",    "sill_drop_mm = 20",   "sill_depth_mm = 90",
+                                         "frame_mm = 20", "reveal_mm = 10",   "floor_drop_mm = 700", "joined = true"};
   const std::string base = "size_mm = [9, 9]\n[[pane.impact]]\nat_mm = [1, 1]\n";
   EXPECT_FALSE(read(pane(base)).panes[0].shards.has_value());
   EXPECT_FALSE(read(pane(base + "[pane.shards]\nenabled = false\n")).panes[0].shards.has_value());

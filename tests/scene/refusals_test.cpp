@@ -64,6 +64,8 @@ const std::vector<Case> cases = {
      "s.toml:4:17: pane[0].shards.gap_mm: expected a number from 0.02 to 10, got 0"},
     {"shards_flag", of_pane(sized + "shards.enabled = 1"),
      "s.toml:4:18: pane[0].shards.enabled: expected true or false, got 1"},
+    {"shards_joined", of_pane(sized + "shards.joined = \"yes\""),
+     "s.toml:4:17: pane[0].shards.joined: expected true or false, got the text \"yes\""},
     {"floor_above_sill", of_pane(sized + "shards.floor_drop_mm = 24"),
      "s.toml:4:24: pane[0].shards.floor_drop_mm: expected a floor not above the sill, so 25 or more, got 24"},
     {"first_unknown_key", "zzz = 1\nyyy = 2\n" + of_pane(sized), "s.toml:1:1: zzz: unknown key"},

@@ -113,6 +113,10 @@ void put_shard(Buffer& out, const glass::Shard& shard) {
     put(out, ",\"transform\":");
     put_motion(out, shard.motion);
   }
+  if (!shard.joined.empty()) {
+    put(out, ",\"joined\":");
+    put_list(out, shard.joined, ",", [&](const std::string& id) { fmt::format_to(std::back_inserter(out), "\"{}\"", id); });
+  }
   put(out, "}");
 }
 

@@ -66,10 +66,10 @@ void append_declaration(std::string& text, const std::string& name, const std::v
   if (!objects.empty()) text += fmt::format("#declare {} =\n{}\n", name, together(objects));
 }
 
-std::vector<std::string> tube_texts(const TubedCracks& cracks) {
+std::vector<std::string> tube_texts(const std::vector<Tube>& tubes) {
   std::vector<std::string> texts;
   int crack = -1;
-  for (const Tube& tube : cracks.tubes) {
+  for (const Tube& tube : tubes) {
     std::string text;
     if (tube.crack != crack) text += fmt::format("   // crack {}\n", tube.crack);
     crack = tube.crack;
@@ -218,7 +218,7 @@ IncludeHeader header(const BrokenPane& broken, const std::string& prefix, Body b
   return header;
 }
 
-IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix) {
+IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix, bool has_cracks) {
   IncludeHeader header;
   header.file = broken.pane.name + ".inc";
   header.prefix = prefix;
@@ -229,7 +229,7 @@ IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix)
       "Needs max_trace_level 12 or more in global_settings: each face of a shard refracts.",
   };
   header.declarations = {"Declares:"};
-  std::ranges::copy(shard_declarations(prefix), std::back_inserter(header.declarations));
+  std::ranges::copy(shard_declarations(prefix, has_cracks), std::back_inserter(header.declarations));
   for (const std::string_view pattern :
        {"   {0}_Slab       the whole pane alone, without material",
         "   {0}_Surround(Width, Depth)  macro: a board about the outline, Width wider than the bounding box, Depth",
@@ -241,12 +241,24 @@ IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix)
   return header;
 }
 
+// The tubes of the cracks within joined shards.
+std::vector<Tube> joined_tubes(const BrokenPane& broken) {
+  std::vector<geometry::Region> bodies;
+  for (const glass::Shard& shard : broken.shards) {
+    if (!shard.joined.empty()) bodies.push_back(shard.face);
+  }
+  return bodies.empty() ? std::vector<Tube>{} : tubes_within(broken.pane, broken.network, bodies);
+}
+
 OutputFile shards_include(const BrokenPane& broken, const std::string& prefix) {
-  std::string text = "#include \"shatterpave_shards.inc\"\n\n";
+  const std::vector<Tube> tubes = joined_tubes(broken);
+  std::string text = "#include \"shatterpave_shards.inc\"\n";
+  text += tubes.empty() ? "\n" : "#include \"shatterpave_glass.inc\"\n\n";
   append_slab(text, broken.pane, prefix);
   append_surround(text, broken.pane, prefix);
-  append_shards(text, broken, prefix);
-  const IncludeHeader about = shards_header(broken, prefix);
+  append_declaration(text, prefix + "_Cracks", tube_texts(tubes));
+  append_shards(text, broken, prefix, !tubes.empty());
+  const IncludeHeader about = shards_header(broken, prefix, !tubes.empty());
   return {about.file, include_text(about, text)};
 }
 
@@ -262,7 +274,7 @@ OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
   } else {
     const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
     zones = cracks.zones;
-    if (!cracks.tubes.empty()) groups.push_back({prefix + "_Cracks", std::string(own_tubes), tube_texts(cracks)});
+    if (!cracks.tubes.empty()) groups.push_back({prefix + "_Cracks", std::string(own_tubes), tube_texts(cracks.tubes)});
   }
   std::string text = "#include \"shatterpave_glass.inc\"\n\n";
   append_slab(text, broken.pane, prefix);

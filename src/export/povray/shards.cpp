@@ -59,7 +59,7 @@ void append_mesh(std::string& text, const glass::Shard& shard, double thickness_
 
 }  // namespace
 
-void append_shards(std::string& text, const BrokenPane& broken, const std::string& prefix) {
+void append_shards(std::string& text, const BrokenPane& broken, const std::string& prefix, bool has_cracks) {
   std::vector<const glass::Shard*> there;
   for (const glass::Shard& shard : broken.shards) {
     if (shard.state != glass::ShardState::missing) there.push_back(&shard);
@@ -81,19 +81,27 @@ void append_shards(std::string& text, const BrokenPane& broken, const std::strin
     text += fmt::format("#case ({1}) {0}_Shard_{1}(Old, Broken) #break\n", prefix, i);
   text += "#end\n#end\n\n";
   // Each by its own name: a switch is read through to its case, so that n of them would take n² time.
-  text += fmt::format("#macro {0}_Shards(Old, Broken, Inside)\n   union {{\n", prefix);
+  text += fmt::format("#macro {0}_Shards(Old, Broken, Inside)\n", prefix);
+  if (has_cracks) text += "   union {\n";
+  // POV-Ray warns of a union of one.
+  const bool is_one_body = rules.joined && there.size() == 1;
+  text += is_one_body ? "   object {\n" : "   union {\n";
   for (std::size_t i = 0; i < there.size(); ++i)
     text += fmt::format("      object {{ {0}_Shard_{1}(Old, Broken) }}\n", prefix, i);
+  text += "      interior { Inside }\n      double_illuminate\n   }\n";
+  if (has_cracks) {
+    text += fmt::format("   object {{ {}_Cracks material {{ Shatterpave_Crack }} double_illuminate }}\n   }}\n", prefix);
+  }
   text += fmt::format(
-      "      interior {{ Inside }}\n      double_illuminate\n   }}\n#end\n\n"
+      "#end\n\n"
       "#declare {0}_Pane = object {{ {0}_Shards(Shatterpave_Shard_Old, Shatterpave_Shard_Broken, Shatterpave_Shard_Interior) "
       "}}\n",
       prefix);
 }
 
-std::vector<std::string> shard_declarations(const std::string& prefix) {
+std::vector<std::string> shard_declarations(const std::string& prefix, bool has_cracks) {
   const auto line = [&](std::string_view pattern) { return fmt::format(fmt::runtime(pattern), prefix); };
-  return {
+  std::vector<std::string> lines{
       line("   {0}_Shard_0(Old, Broken), {0}_Shard_1(Old, Broken) and so on  macros: one of the shards each, without interior"),
       line("   {0}_Pane       all shards, in materials of shatterpave_shards.inc: object {{ {0}_Pane }}"),
       line("   {0}_Shards(Old, Broken, Inside)  macro: the same in textures and an interior of your own, which are"),
@@ -107,6 +115,12 @@ std::vector<std::string> shard_declarations(const std::string& prefix) {
       line("   {0}_Frame      the frame stands out so far"),
       line("   {0}_Reveal     walls are so far beyond {0}_Min.x and {0}_Max.x"),
   };
+  if (has_cracks) {
+    lines.push_back(
+        line("   {0}_Cracks     the tubes of the cracks within joined shards alone, without material; Shards has them in"));
+    lines.emplace_back("                  Shatterpave_Crack. No two of them touch, and none touches a face of its shard");
+  }
+  return lines;
 }
 
 }  // namespace shatterpave::exporting::povray

@@ -24,13 +24,13 @@ void append_separator(std::string& text, std::size_t number) {
   text += number == 0 ? "      " : (number % per_line == 0 ? ",\n      " : ", ");
 }
 
-struct Mesh {
+struct GapMesh {
   std::vector<vec3> points;
   std::vector<vec3> normals;  // as many
   std::vector<std::size_t> triangles;
 };
 
-std::string mesh_text(const Mesh& mesh) {
+std::string mesh_text(const GapMesh& mesh) {
   std::string text = fmt::format("   mesh2 {{\n      vertex_vectors {{ {},\n", mesh.points.size());
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     append_separator(text, i);
@@ -52,14 +52,14 @@ std::string mesh_text(const Mesh& mesh) {
 }  // namespace
 
 std::string sheet_mesh(const glass::CrackSurface& surface) {
-  Mesh mesh{surface.left_mm, surface.normals, glass::closed_triangles(surface)};
+  GapMesh mesh{surface.left_mm, surface.normals, glass::closed_triangles(surface)};
   mesh.points.insert(mesh.points.end(), surface.right_mm.begin(), surface.right_mm.end());
   for (const vec3 normal : surface.normals) mesh.normals.push_back(-normal);
   return mesh_text(mesh);
 }
 
 std::string shot_hole_mesh(const glass::ShotHole& shot_hole) {
-  Mesh mesh{shot_hole.wall_mm, shot_hole.normals, glass::closed_triangles(shot_hole)};
+  GapMesh mesh{shot_hole.wall_mm, shot_hole.normals, glass::closed_triangles(shot_hole)};
   const std::vector<vec3> middles = glass::middles_mm(shot_hole);
   // The ends are flat: rings of their own, with the normals of the faces of the pane.
   const std::size_t wall = shot_hole.wall_mm.size();

@@ -238,10 +238,16 @@ std::optional<double> setback(vec2 before, vec2 after) {
 
 class Trimming {
  public:
-  Trimming(const glass::Pane& pane, const std::vector<ImpactShape>& shapes)
-      : obstacles_(std::max(1.0, pane.thickness_mm)), shapes_(shapes) {
-    const geometry::Polygon& outline = pane.outline_mm;
-    for (std::size_t i = 0; i < outline.size(); ++i) obstacles_.add({outline[i], outline[(i + 1) % outline.size()]});
+  // Tubes lie within one of the bodies each.
+  Trimming(const glass::Pane& pane, const std::vector<geometry::Region>& bodies, const std::vector<ImpactShape>& shapes)
+      : bodies_(bodies), obstacles_(std::max(1.0, pane.thickness_mm)), shapes_(shapes) {
+    const auto add = [&](const geometry::Polygon& ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) obstacles_.add({ring[i], ring[(i + 1) % ring.size()]});
+    };
+    for (const geometry::Region& body : bodies) {
+      add(body.outline);
+      std::ranges::for_each(body.holes, add);
+    }
   }
 
   // The tubes of `chain`, which is the number-th; later chains keep away from them.
@@ -263,6 +269,7 @@ class Trimming {
       }
       for (const Interval& piece : remainder(whole, taken(ray, radii[i], number, i, follows))) {
         if (piece.high - piece.low < shortest_piece * radii[i]) continue;
+        if (!is_within(ray.origin + 0.5 * (piece.low + piece.high) * ray.direction)) continue;
         const Tube tube{geometry::on_lattice(ray.origin + piece.low * ray.direction),
                         geometry::on_lattice(ray.origin + piece.high * ray.direction), radii[i], chain.crack};
         tubes.push_back(tube);
@@ -320,9 +327,24 @@ class Trimming {
     return result;
   }
 
+  // Borders are obstacles, so that a piece between two of them has one of its points within a body if it has all.
+  bool is_within(vec2 point) const {
+    return std::ranges::any_of(bodies_, [&](const geometry::Region& body) { return geometry::contains(body, point); });
+  }
+
+  const std::vector<geometry::Region>& bodies_;
   Obstacles obstacles_;
   const std::vector<ImpactShape>& shapes_;
 };
+
+std::vector<Tube> trimmed_tubes(const glass::Pane& pane, const glass::CrackNetwork& network,
+                                const std::vector<geometry::Region>& bodies, const std::vector<ImpactShape>& shapes) {
+  std::vector<Tube> tubes;
+  Trimming trimming(pane, bodies, shapes);
+  int number = 0;
+  for (const Chain& chain : chains(network, shapes)) trimming.append_tubes(chain, number++, tubes);
+  return tubes;
+}
 
 }  // namespace
 
@@ -330,10 +352,14 @@ TubedCracks tubed_cracks(const glass::Pane& pane, const glass::CrackNetwork& net
   const std::vector<ImpactShape> shapes = impact_shapes(pane, network);
   TubedCracks result;
   for (const ImpactShape& shape : shapes) result.zones.push_back(shape.zone);
-  Trimming trimming(pane, shapes);
-  int number = 0;
-  for (const Chain& chain : chains(network, shapes)) trimming.append_tubes(chain, number++, result.tubes);
+  const std::vector<geometry::Region> slab{{pane.outline_mm, {}}};
+  result.tubes = trimmed_tubes(pane, network, slab, shapes);
   return result;
+}
+
+std::vector<Tube> tubes_within(const glass::Pane& pane, const glass::CrackNetwork& network,
+                               const std::vector<geometry::Region>& bodies) {
+  return trimmed_tubes(pane, network, bodies, impact_shapes(pane, network));
 }
 
 }  // namespace shatterpave::exporting::povray

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/vec.h"
+#include "geometry/polygon.h"
 #include "glass/crack_paths.h"
 #include "glass/network.h"
 #include "glass/pane.h"
@@ -39,5 +40,12 @@ struct TubedCracks {
 //   3. zones overlap neither one another nor a tube, and lie within the outline.
 // REQUIRES: pane.thickness_mm > 0; the network is that of the pane.
 TubedCracks tubed_cracks(const glass::Pane& pane, const glass::CrackNetwork& network);
+
+// The tubes that lie within bodies of glass of the pane, in place of its outline: where a body is on both sides of a crack.
+// Guarantees as above, for 2. with the borders of the bodies, and each tube within one of them. Zones are left free, but not
+// filled.
+//   bodies  regions that do not overlap
+std::vector<Tube> tubes_within(const glass::Pane& pane, const glass::CrackNetwork& network,
+                               const std::vector<geometry::Region>& bodies);
 
 }  // namespace shatterpave::exporting::povray

@@ -1,0 +1,125 @@
+#include "glass/shard_pieces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/parallel.h"
+#include "geometry/clip.h"
+
+namespace shatterpave::glass {
+
+namespace {
+
+using geometry::FaceRing;
+using geometry::FaceSide;
+using geometry::Polygon;
+using geometry::Region;
+
+// Lines that gaps follow run on beyond the edge by so many openings, so that a gap at an acute angle is cut through.
+constexpr double overrun = 4.0;
+
+// The cracks on a ring: polylines along the sides that are no edge of the pane. Ends on the edge run on beyond it.
+void append_cracks(const FaceRing& ring, const std::vector<geometry::Segment>& segments, double gap_mm,
+                   std::vector<std::vector<vec2>>& polylines) {
+  const std::size_t n = ring.size();
+  const auto is_edge = [&](std::size_t i) { return segments[ring[i % n].segment].owner == pane_edge; };
+  const auto point = [&](std::size_t i) { return geometry::to_mm(ring[i % n].from); };
+  std::size_t first = 0;
+  while (first < n && !is_edge(first)) ++first;
+  if (first == n) {
+    std::vector<vec2>& closed = polylines.emplace_back();
+    for (std::size_t i = 0; i < n + 2; ++i) closed.push_back(point(i));
+    return;
+  }
+  const auto beyond = [&](vec2 from, vec2 end) {
+    return geometry::on_lattice(end + overrun * gap_mm * glm::normalize(end - from));
+  };
+  for (std::size_t i = first; i < first + n; ++i) {
+    if (is_edge(i)) continue;
+    if (is_edge(i + n - 1)) polylines.push_back({beyond(point(i + 1), point(i)), point(i)});
+    polylines.back().push_back(point(i + 1));
+    if (is_edge(i + 1)) polylines.back().push_back(beyond(point(i), point(i + 1)));
+  }
+}
+
+class PaneEdge {
+ public:
+  PaneEdge(const geometry::Face& face, const std::vector<geometry::Segment>& segments) {
+    for (const FaceSide& side : face.outline) {
+      const geometry::Segment& segment = segments[side.segment];
+      if (segment.owner == pane_edge) sides_.emplace_back(geometry::to_mm(segment.a), geometry::to_mm(segment.b));
+    }
+  }
+  bool holds(vec2 p) const {
+    return std::ranges::any_of(sides_, [&](const auto& side) {
+      const vec2 along = side.second - side.first;
+      const double share = std::clamp(glm::dot(p - side.first, along) / glm::dot(along, along), 0.0, 1.0);
+      const vec2 off = p - side.first - share * along;
+      return glm::dot(off, off) <= edge_tolerance_mm * edge_tolerance_mm;
+    });
+  }
+
+ private:
+  std::vector<std::pair<vec2, vec2>> sides_;
+};
+
+std::vector<bool> old_sides(const Polygon& ring, const PaneEdge& edge) {
+  std::vector<bool> is_old(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const vec2 a = ring[i];
+    const vec2 b = ring[(i + 1) % ring.size()];
+    is_old[i] = edge.holds(a) && edge.holds(b) && edge.holds(0.5 * (a + b));
+  }
+  return is_old;
+}
+
+}  // namespace
+
+Id shard_id(const Pane& pane, const std::string& shard) { return Id(pane.name).child("shard").child(shard); }
+
+std::vector<Region> parts_of(const geometry::Face& face, const std::vector<geometry::Segment>& segments,
+                             const ShardRules& rules) {
+  std::vector<std::vector<vec2>> cracks;
+  append_cracks(face.outline, segments, rules.gap_mm, cracks);
+  for (const FaceRing& hole : face.holes) append_cracks(hole, segments, rules.gap_mm, cracks);
+  std::vector<Region> parts{region(face)};
+  if (!cracks.empty()) parts = geometry::difference(parts.front(), geometry::thickened(cracks, 0.5 * rules.gap_mm));
+  std::erase_if(parts, [&](const Region& part) { return geometry::area(part) < rules.splinter_mm2; });
+  std::ranges::stable_sort(parts, std::ranges::greater{}, [](const Region& part) { return geometry::area(part); });
+  return parts;
+}
+
+ShardPiece piece_of(const Pane& pane, const geometry::Face& face, const std::vector<geometry::Segment>& segments, Region part,
+                    std::string id) {
+  ShardPiece piece;
+  piece.blank = {std::move(part), {}, pane.thickness_mm, shard_id(pane, id)};
+  piece.id = std::move(id);
+  const Polygon& outline = piece.blank.region.outline;
+  piece.blank.is_old.push_back(old_sides(outline, PaneEdge(face, segments)));
+  for (const Polygon& hole : piece.blank.region.holes) piece.blank.is_old.emplace_back(hole.size(), false);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    if (piece.blank.is_old.front()[i]) piece.frame_mm += glm::length(outline[(i + 1) % outline.size()] - outline[i]);
+  }
+  return piece;
+}
+
+std::vector<ShardPiece> shard_pieces(const Pane& pane, const FacedPane& faced) {
+  std::vector<std::vector<ShardPiece>> of_faces(faced.faces.size());
+  parallel_for(of_faces.size(), [&](std::size_t i) {
+    const ShardFace& face = faced.faces[i];
+    for (Region& part : parts_of(face.face, faced.segments, *pane.shards)) {
+      const std::size_t number = of_faces[i].size();
+      of_faces[i].push_back(piece_of(pane, face.face, faced.segments, std::move(part),
+                                     number == 0 ? face.id : fmt::format("{}p{}", face.id, number)));
+      of_faces[i].back().face = i;
+    }
+  });
+  std::vector<ShardPiece> pieces;
+  for (std::vector<ShardPiece>& some : of_faces) std::ranges::move(some, std::back_inserter(pieces));
+  return pieces;
+}
+
+}  // namespace shatterpave::glass

@@ -37,14 +37,16 @@ constexpr double density_kg_mm3 = 2.5e-6;  // soda-lime glass
 constexpr double step_s = 1.0 / 800.0;
 // Shards are let go so far apart in time.
 constexpr double interval_s = 0.02;
-// Pieces lie on one another, so that twice as many take four times as long: 1,800 took 28 s, so
-// these some two minutes and a half.
+// 950 took 31 s and 1,980 took 62 s on a busy machine, so these some two minutes.
 constexpr std::ptrdiff_t most_falling = 4000;
 // What still moves so long after the last one was let go is given up.
 constexpr double longest_s = 5.0;
 // At rest is what no point of has moved farther than this between two looks at it. Splinters tremble in place by less.
 constexpr double rest_mm = 0.15;
 constexpr int steps_between_looks = 200;
+// What was at rest at so many looks one after another stays where it is, as sills do: else all of a heap would be solved anew
+// for each piece that falls on it. By eye: three quarters of a second, in which what is about to topple has begun to.
+constexpr int looks_at_rest = 3;
 // No shard spins faster: a splinter that two others nip would be turned by more than a step can follow.
 constexpr double most_spin_per_s = 60.0;
 
@@ -115,12 +117,10 @@ class World : public btDiscreteDynamicsWorld {
 // Owns what Bullet only points to.
 class Scene {
  public:
-  explicit Scene(double extent_mm)
-      : dispatcher_(&configuration_),
-        broadphase_(to_units(vec3(-extent_mm)), to_units(vec3(extent_mm)), most_bodies),
-        world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
+  Scene() : dispatcher_(&configuration_), world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
     world_.setGravity(to_units({0.0, -gravity_mm_s2, 0.0}));
     world_.getDispatchInfo().m_deterministicOverlappingPairs = true;
+    world_.setForceUpdateAllAabbs(false);  // most shards stand
     world_.getSolverInfo().m_splitImpulse = 0;
     world_.getSolverInfo().m_numIterations = 20;
   }
@@ -139,17 +139,17 @@ class Scene {
   // Not in the world yet: `let_go` puts it there.
   btRigidBody* add_shard(btCollisionShape* shape, double kg, vec3 at_mm);
   void let_go(btRigidBody* body) { world_.addRigidBody(body); }
+  // It moves no more.
+  void fix(btRigidBody* body);
   void step(double damping) {
     world_.damping = damping;
     world_.stepSimulation(step_s, 0, step_s);
   }
 
  private:
-  static constexpr unsigned int most_bodies = 16384;
-
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
-  bt32BitAxisSweep3 broadphase_;
+  btDbvtBroadphase broadphase_;
   btSequentialImpulseConstraintSolver solver_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
@@ -182,6 +182,17 @@ void Scene::add_block(vec3 low_mm, vec3 high_mm) {
   const geometry::Polygon face = {{low_mm.x, low_mm.y}, {high_mm.x, low_mm.y}, {high_mm.x, high_mm.y}, {low_mm.x, high_mm.y}};
   const vec3 middle = 0.5 * (low_mm + high_mm);
   add_fixed(prisms({face}, {middle.x, middle.y}, 0.5 * (high_mm.z - low_mm.z)), middle);
+}
+
+void Scene::fix(btRigidBody* body) {
+  world_.removeRigidBody(body);
+  const btVector3 none(0.0, 0.0, 0.0);
+  body->setMassProps(0.0, none);
+  body->updateInertiaTensor();
+  body->setLinearVelocity(none);
+  body->setAngularVelocity(none);
+  body->setInterpolationWorldTransform(body->getWorldTransform());
+  world_.addRigidBody(body);
 }
 
 btRigidBody* Scene::add_shard(btCollisionShape* shape, double kg, vec3 at_mm) {
@@ -225,7 +236,10 @@ struct Falling {
   double reach_mm = 0.0;          // from its centre to its farthest point
   btRigidBody* body = nullptr;
   btTransform seen = btTransform::getIdentity();  // when it was last looked at
-  bool is_at_rest = false;                        // then
+  int looks_at_rest = 0;                          // up to then, one after another
+
+  bool is_at_rest() const { return looks_at_rest > 0; }
+  bool is_fixed() const { return body->isStaticObject(); }
 };
 
 void throw_out(const Pane& pane, const Falling& falling, vec2 from_impact, std::uint64_t seed) {
@@ -276,13 +290,16 @@ std::vector<Falling> fallings(const Pane& pane, std::vector<Shard>& shards, Scen
 }
 
 // The farthest that a point of it has moved since it was last looked at: at most by its shift and by twice the half turn.
-void look_at(Falling& falling) {
+void look_at(Falling& falling, Scene& scene) {
+  if (falling.is_fixed()) return;
   const btTransform& now = falling.body->getWorldTransform();
   const double shift_mm = (now.getOrigin() - falling.seen.getOrigin()).length() / unit_per_mm;
   const btQuaternion turn = now.getRotation() * falling.seen.getRotation().inverse();
   const double half_turn = btVector3(turn.x(), turn.y(), turn.z()).length();
-  falling.is_at_rest = falling.body->isInWorld() && shift_mm + 2.0 * half_turn * falling.reach_mm < rest_mm;
+  const bool is_at_rest = falling.body->isInWorld() && shift_mm + 2.0 * half_turn * falling.reach_mm < rest_mm;
+  falling.looks_at_rest = is_at_rest ? falling.looks_at_rest + 1 : 0;
   falling.seen = now;
+  if (falling.looks_at_rest == looks_at_rest) scene.fix(falling.body);
 }
 
 // Lets all go and follows them until they have come to rest, or for the longest time.
@@ -295,7 +312,7 @@ void follow(Scene& scene, std::vector<Falling>& fallings) {
     if (gone < fallings.size() && now_s >= interval_s * static_cast<double>(gone)) scene.let_go(fallings[gone++].body);
     scene.step(damping_per_s + settling_per_s * std::max(0.0, now_s - last_s));
     if (step % steps_between_looks != 0) continue;
-    std::ranges::for_each(fallings, look_at);
+    for (Falling& falling : fallings) look_at(falling, scene);
     if (std::ranges::all_of(fallings, &Falling::is_at_rest)) return;
   }
 }
@@ -313,11 +330,6 @@ Motion motion_of(const Falling& falling) {
   return motion;
 }
 
-double extent_mm(const Pane& pane) {
-  const geometry::Box box = geometry::bounding_box(pane.outline_mm);
-  return 20000.0 + std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
-}
-
 }  // namespace
 
 void let_fall(const Pane& pane, std::vector<Shard>& shards, std::uint64_t seed) {
@@ -327,12 +339,12 @@ void let_fall(const Pane& pane, std::vector<Shard>& shards, std::uint64_t seed) 
     throw InputError(Place{"", 0, 0, pane.name + ".shards"},
                      fmt::format("expected at most {} pieces that fall to sill and floor, got {}", most_falling, count));
   }
-  Scene scene(extent_mm(pane));
+  Scene scene;
   add_surroundings(scene, pane);
   std::vector<Falling> fallings = glass::fallings(pane, shards, scene, seed);
   follow(scene, fallings);
   for (const Falling& falling : fallings) {
-    if (falling.is_at_rest) {
+    if (falling.is_at_rest()) {
       falling.shard->motion = motion_of(falling);
     } else {
       falling.shard->state = ShardState::missing;

@@ -281,7 +281,7 @@ TEST(CrackSurface, AHoleWithoutRoomIsNone) {
 }
 
 TEST(CrackSurface, KeepClearOfTheShotHole) {
-  Pane pane = pane_with(60);
+  Pane pane = pane_with(24);
   pane.impacts[0].hole_mm = 5.0;
   pane.impacts[0].spall_mm = 14.0;
   CrackSurfaces cracks = crack_surfaces(pane, grown_cracks(pane, 7), 7);

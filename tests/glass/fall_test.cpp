@@ -167,6 +167,62 @@ TEST(FallenShards, LieOnSillAndFloorAndInNothing) {
   RecordProperty("deepest_um", static_cast<int>(1000.0 * deepest));
 }
 
+// How many of the fallen would go on to fall: lower by `by_mm` they reach into nothing that holds them, neither sill nor floor
+// nor frame nor another piece.
+int floating(const Pane& pane, const std::vector<Shard>& all, double by_mm) {
+  const ShardRules& rules = *pane.shards;
+  const auto lowered = [&](std::vector<Prism> body) {
+    for (Prism& prism : body) {
+      for (vec3& p : prism) p.y -= by_mm;
+    }
+    return body;
+  };
+  std::vector<std::vector<Prism>> bodies;
+  for (const Shard& shard : all) {
+    if (shard.state != ShardState::missing) bodies.push_back(prisms(shard, pane.thickness_mm));
+  }
+  int count = 0;
+  std::size_t at = 0;
+  for (const Shard& shard : all) {
+    if (shard.state == ShardState::missing) continue;
+    const std::size_t own = at++;
+    if (shard.state != ShardState::fallen) continue;
+    const std::vector<Prism> body = lowered(bodies[own]);
+    bool held = false;
+    for (const Prism& prism : body) {
+      for (const vec3& p : prism) {
+        held |= p.y < -rules.floor_drop_mm;
+        held |= p.z < rules.sill_depth_mm && p.y < -rules.sill_drop_mm && p.y > -rules.sill_drop_mm - 50.0;
+        held |= p.z < rules.frame_mm && p.y < 0.0;
+      }
+    }
+    for (std::size_t other = 0; other < bodies.size() && !held; ++other) {
+      held = other != own && depth(body, bodies[other]) > 0.0;
+    }
+    if (!held) ++count;
+  }
+  return count;
+}
+
+// Heaps too, in which pieces stay where they are as soon as they are at rest.
+TEST(FallenShards, RestOnSomething) {
+  Pane heap = window();
+  heap.glass = GlassKind::tempered;
+  heap.tempering.count_per_square = 6.0;
+  heap.shards->missing = 1.0;
+  heap.shards->missing_mm = 120.0;
+  for (const Pane& pane : {window(), heap}) {
+    std::vector<Shard> all = shards(pane, grown_cracks(pane, 4), 4);
+    EXPECT_GE(std::ranges::count(all, ShardState::fallen, &Shard::state), 10);
+    EXPECT_EQ(floating(pane, all, 0.6), 0);
+    // The twin: the same, 5 mm higher.
+    for (Shard& shard : all) {
+      if (shard.state == ShardState::fallen) shard.motion.shift_mm.y += 5.0;
+    }
+    EXPECT_GT(floating(pane, all, 0.6), 0);
+  }
+}
+
 TEST(FallenShards, KeepTheirShape) {
   const Pane pane = window();
   for (const Shard& shard : shards(pane, grown_cracks(pane, 4), 4)) {

@@ -9,6 +9,7 @@
 #include "geometry/clip.h"
 #include "geometry/lattice.h"
 #include "geometry/region_index.h"
+#include "paving/bond.h"
 #include "paving/bond_courses.h"
 #include "paving/finishes.h"
 #include "paving/stone_surface.h"
@@ -24,8 +25,7 @@ constexpr double widest_joint_mm = 6.0;  // blocks are set close
 constexpr double least_last = 0.05;      // of a tread
 constexpr double least_rest = 1e-6;      // of the area: less is rounding
 constexpr double sliver_mm2 = 1.0;       // smaller parts of a step are rounding
-// Corners of a round front: its chords stay within 0.3 mm of a circle of 4 m.
-constexpr int corners_of_circle = 256;
+constexpr double chord_mm = 0.1;         // how far chords of round fronts stray from their circle
 
 // Fronts of steps: parallel lines over the area. Distances are from the first front, mm.
 class Fronts {
@@ -67,9 +67,11 @@ class Fronts {
 
  private:
   static Polygon circle(vec2 centre, double radius) {
+    // 1 − cos(π / n) is nearly (π / n)² / 2.
+    const int corners = static_cast<int>(std::clamp(pi * std::sqrt(radius / (2.0 * chord_mm)), 64.0, 20'000.0));
     Polygon result;
-    for (int i = 0; i < corners_of_circle; ++i) {
-      const Angle angle = Angle::degrees(360.0 * i / corners_of_circle);
+    for (int i = 0; i < corners; ++i) {
+      const Angle angle = Angle::degrees(360.0 * i / corners);
       result.push_back(geometry::on_lattice(centre + radius * angle.direction()));
     }
     return result;
@@ -97,22 +99,27 @@ double total(const std::vector<Region>& regions) {
   return result;
 }
 
+std::vector<Region> between(const std::vector<Region>& before, const std::vector<Region>& next) {
+  std::vector<Region> parts;
+  for (const Region& region : next) {
+    for (Region& part : geometry::difference(region, before)) {
+      if (geometry::area(part) > sliver_mm2) parts.push_back(std::move(part));
+    }
+  }
+  return parts;
+}
+
 // The parts of the area between one front and the next.
 std::vector<std::vector<Region>> strips(const Fronts& fronts, const Region& area, double tread_mm) {
+  std::vector<std::vector<Region>> before{{}};
+  const double most = (1.0 - least_rest) * geometry::area(area);
+  while (total(before.back()) < most) before.push_back(fronts.before(static_cast<double>(before.size()) * tread_mm));
+  const std::size_t count = before.size() - 1;
+  // A last one that is hardly a step is part of the one before it.
+  if (count > 1 && total(fronts.before((static_cast<double>(count - 1) + least_last) * tread_mm)) >= most) before.pop_back();
+  before.back() = {area};
   std::vector<std::vector<Region>> result;
-  std::vector<Region> before;
-  const double all = geometry::area(area);
-  for (int k = 0; total(before) < (1.0 - least_rest) * all; ++k) {
-    std::vector<Region> next = fronts.before((k + 1) * tread_mm);
-    if (total(fronts.before((k + 1 + least_last) * tread_mm)) >= (1.0 - least_rest) * all) next = {area};
-    std::vector<Region>& strip = result.emplace_back();
-    for (const Region& region : next) {
-      for (Region& part : geometry::difference(region, before)) {
-        if (geometry::area(part) > sliver_mm2) strip.push_back(std::move(part));
-      }
-    }
-    before = std::move(next);
-  }
+  for (std::size_t k = 0; k + 1 < before.size(); ++k) result.push_back(between(before[k], before[k + 1]));
   return result;
 }
 
@@ -139,15 +146,25 @@ Pavement blocks(const Pavement& pavement, const Flight& flight) {
 
 // Sets the row of `step` to its area, whose front is `front_mm` from where fronts begin.
 void lay_row(Pavement& step, double front_mm, double tread_mm) {
-  if (std::holds_alternative<BoundaryDirection>(step.direction)) {
-    step.bonding.bond = step.area.holes.empty() ? Bond::running : Bond::course;
-  }
   if (auto* radial = std::get_if<RadialDirection>(&step.direction)) {
     radial->first_mm = front_mm;
-    // Stones are straight along their backs, the next front is round: they reach beyond it, and are cut.
+    // A ring of six stones or more. They are straight along their backs, the next front is round: they reach beyond it, and
+    // are cut.
+    step.stone_mm.x = std::min(step.stone_mm.x, front_mm + 0.5 * tread_mm);
     const double sag_mm = 0.125 * step.stone_mm.x * step.stone_mm.x / std::max(front_mm, step.stone_mm.x);
     step.stone_mm.y = tread_mm - step.joint_mm + 1.5 * sag_mm;
   }
+  if (std::holds_alternative<BoundaryDirection>(step.direction)) {
+    step.bonding.bond = Bond::course;
+    if (step.area.holes.empty()) {
+      // The last step, less than two treads wide.
+      step.bonding.bond = Bond::running;
+      step.direction = ConstantDirection{main_direction(step)};
+    }
+  }
+  // What is left over in a corner is a stone of its own.
+  const geometry::Box box = geometry::bounding_box(step.area.outline);
+  step.stone_mm = glm::min(step.stone_mm, vec2(std::max({box.high.x - box.low.x, box.high.y - box.low.y, 1.0})));
 }
 
 }  // namespace
@@ -167,9 +184,9 @@ std::vector<Pavement> steps(const Pavement& pavement, const Flight& flight) {
     const double moved = static_cast<double>(k) * step.bonding.offset;
     step.bonding.start = step.bonding.bond == Bond::stack ? 0.0 : moved - std::floor(moved);
     for (const Region& part : parts[k]) {
-      step.area = part;
-      lay_row(step, fronts.first_mm() + static_cast<double>(k) * flight.tread_mm, flight.tread_mm);
-      result.push_back(step);
+      Pavement& one = result.emplace_back(step);
+      one.area = part;
+      lay_row(one, fronts.first_mm() + static_cast<double>(k) * flight.tread_mm, flight.tread_mm);
     }
   }
   return result;

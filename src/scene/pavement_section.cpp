@@ -121,6 +121,7 @@ void require_rows(const TomlTable& table, const paving::Pavement& pavement) {
   if (table.has("bond") && bond != Bond::running && bond != Bond::stack) {
     refuse(table.place("bond"), "running or stack beside steps", "another one");
   }
+  if (table.has("bond_turn_deg")) refuse_key("bond_turn_deg");
   if (pavement.border.course != paving::BorderCourse::none) refuse_key("border_course");
   if (pavement.kerb.width_mm > 0.0) refuse(table.place("ground"), "no kerb beside steps", "one");
   if (pavement.textures.seamless) refuse(table.place("textures"), "no seamless textures beside steps", "seamless = true");
@@ -138,7 +139,8 @@ std::optional<paving::Flight> flight_of(const TomlTable& table, const paving::Pa
   for (const geometry::Region& area : areas) {
     const geometry::Box box = geometry::bounding_box(area.outline);
     if (glm::length(box.high - box.low) > static_cast<double>(most_pavements) * flight.tread_mm) {
-      refuse(steps->place("tread_mm"), fmt::format("treads so deep that there are at most {} steps", most_pavements), "more");
+      refuse(steps->place("tread_mm"), fmt::format("treads so deep that there are at most {} steps", most_pavements),
+             fmt::format("up to {:.0f}", glm::length(box.high - box.low) / flight.tread_mm));
     }
     if (std::holds_alternative<paving::BoundaryDirection>(pavement.direction) && !area.holes.empty()) {
       refuse(steps->place(), "an area without holes where steps follow its boundary", "one with holes");
@@ -198,7 +200,7 @@ void append_pavements(const TomlTable& table, Plans& plans, Names& names, std::v
   for (std::size_t i = 0; i < parts.size(); ++i) {
     paving::Pavement& part = parts[i];
     part.name = i == 0 ? name : fmt::format("{}_{}", name, i + 1);
-    names.add(part.name, table.path(), table.place("name"));
+    names.add(part.name, i == 0 ? table.path() : fmt::format("part {} of {}", i + 1, table.path()), table.place("name"));
     if (part.kerb.width_mm > 0.0) names.add(paving::kerb_name(part), table.path(), table.place("name"));
     pavements.push_back(std::move(part));
   }

@@ -130,6 +130,32 @@ TEST(Steps, FollowTheDirection) {
   }
 }
 
+// However deep the treads and long the stones, and however small what is left in corners: no step is bare.
+TEST(Steps, AreNeverBare) {
+  const geometry::Region square{{{0, 0}, {3000, 0}, {3000, 3000}, {0, 3000}}, {}};
+  GuidesDirection across;
+  across.guides_mm = {{{0, 0}, {3000, 3000}}};
+  for (const Direction& direction :
+       {straight(0), Direction(RadialDirection{{1500, 1500}}), Direction(across), Direction(BoundaryDirection{})}) {
+    for (const double tread_mm : {350.0, 2200.0, 100'000.0}) {
+      for (const double length_mm : {600.0, 50'000.0}) {
+        Pavement whole = flight_of_steps(square, direction);
+        whole.stone_mm.x = length_mm;
+        double stones = 0.0;
+        for (const Pavement& step : steps(whole, {150.0, tread_mm})) {
+          const StoneLayout layout = laid_stones(step, 7);
+          EXPECT_EQ(faults(step, layout).total(), 0U);
+          if (geometry::area(step.area) > 2500.0) {
+            EXPECT_FALSE(layout.stones.empty()) << direction.index() << ' ' << tread_mm << ' ' << length_mm;
+          }
+          for (const Stone& stone : layout.stones) stones += geometry::area(stone.outline_mm);
+        }
+        EXPECT_GT(stones, 0.93 * 9e6) << direction.index() << ' ' << tread_mm << ' ' << length_mm;
+      }
+    }
+  }
+}
+
 TEST(Steps, InCirclesBeginAtTheNearestPoint) {
   const std::vector<Pavement> parts = steps(flight_of_steps(flight_area, RadialDirection{{1500, -900}}), {140.0, 350.0});
   for (std::size_t k = 0; k < 3; ++k) {

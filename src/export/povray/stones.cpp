@@ -133,7 +133,7 @@ std::string header(const std::string& name, const std::string& prefix, std::size
 // Declares:
 //    {1}_Pavement   stones and bed: object {{ {1}_Pavement }}
 //    {1}_Stones     the stones alone, open below
-//    {1}_Bed        the filling of the joints, a solid down to y = -50
+//    {1}_Bed        the filling of the joints, a solid down to y = -{5}
 {3}//    {1}_Bed_Level  height of the filling
 //    {1}_Top        height that no stone exceeds
 //    {1}_Stone_Size root of the area of a whole stone's face
@@ -153,7 +153,7 @@ std::string header(const std::string& name, const std::string& prefix, std::size
 )",
       name, prefix, stones,
       pavement.look.wetness > 0.5 ? fmt::format("//    {}_Water      what stands in the low spots, a solid\n", prefix) : "",
-      uses_materials(pavement) ? "#include \"shatterpave_materials.inc\"\n" : "");
+      uses_materials(pavement) ? "#include \"shatterpave_materials.inc\"\n" : "", pavement.ground.depth_mm);
 }
 
 // Pattern and normal of the relief are declared once, so that POV-Ray reads the image once and not for every tone.

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "geometry/clip.h"
 #include "paving/finishes.h"
+#include "paving/stone_sizes.h"
 #include "paving/stone_surface.h"
 
 namespace shatterpave::paving {
@@ -13,8 +14,7 @@ namespace {
 
 // Beyond this many widths a corner of the outer line is cut square.
 constexpr double miter_limit = 4.0;
-constexpr double widest_joint_mm = 6.0;  // kerbs are set close
-constexpr double arris_mm = 6.0;         // by eye, as real ones have chamfers of 5 to 25 mm
+constexpr double arris_mm = 6.0;  // by eye, as real ones have chamfers of 5 to 25 mm
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Pavement kerb(const Pavement& pavement) {
   Pavement result = pavement;
   result.name = kerb_name(pavement);
   result.kerb = {};
-  result.joint_mm = std::min({pavement.joint_mm, widest_joint_mm, 0.5 * pavement.kerb.width_mm});
+  result.joint_mm = std::min({pavement.joint_mm, widest_block_joint_mm, 0.5 * pavement.kerb.width_mm});
   result.stone_mm = {pavement.kerb.length_mm, pavement.kerb.width_mm - result.joint_mm};
   const auto outer = geometry::offset({pavement.area.outline, {}}, pavement.kerb.width_mm, miter_limit);
   ENSURE(!outer.empty());

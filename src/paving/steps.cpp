@@ -12,6 +12,7 @@
 #include "paving/bond.h"
 #include "paving/bond_courses.h"
 #include "paving/finishes.h"
+#include "paving/stone_sizes.h"
 #include "paving/stone_surface.h"
 
 namespace shatterpave::paving {
@@ -21,11 +22,10 @@ namespace {
 using geometry::Polygon;
 using geometry::Region;
 
-constexpr double widest_joint_mm = 6.0;  // blocks are set close
-constexpr double least_last = 0.05;      // of a tread
-constexpr double least_rest = 1e-6;      // of the area: less is rounding
-constexpr double sliver_mm2 = 1.0;       // smaller parts of a step are rounding
-constexpr double chord_mm = 0.1;         // how far chords of round fronts stray from their circle
+constexpr double least_last = 0.05;  // of a tread
+constexpr double least_rest = 1e-6;  // of the area: less is rounding
+constexpr double sliver_mm2 = 1.0;   // smaller parts of a step are rounding
+constexpr double chord_mm = 0.1;     // how far chords of round fronts stray from their circle
 
 // Fronts of steps: parallel lines over the area. Distances are from the first front, mm.
 class Fronts {
@@ -128,7 +128,7 @@ Pavement blocks(const Pavement& pavement, const Flight& flight) {
   Pavement result = pavement;
   result.kerb = {};
   result.border = {};
-  result.joint_mm = std::min({pavement.joint_mm, widest_joint_mm, 0.5 * flight.tread_mm});
+  result.joint_mm = std::min({pavement.joint_mm, widest_block_joint_mm, 0.5 * flight.tread_mm});
   result.stone_mm.y = flight.tread_mm - result.joint_mm;
   if (result.bonding.bond != Bond::stack) result.bonding.bond = Bond::running;
   result.variation = {};

@@ -28,4 +28,7 @@ inline constexpr std::array<StonePreset, 7> stone_presets{{
     {"flagstone", {290.0, 290.0}, 10.0},
 }};
 
+// Kerbs and steps are of blocks, which are set close.
+inline constexpr double widest_block_joint_mm = 6.0;
+
 }  // namespace shatterpave::paving

@@ -8,6 +8,7 @@
 #include "paving/bond_patterns.h"
 #include "paving/bond_rings.h"
 #include "paving/border.h"
+#include "paving/cutting.h"
 #include "paving/packing.h"
 
 namespace shatterpave::paving {
@@ -52,6 +53,14 @@ double span_mm(const Pavement& pavement) {
 }
 
 double row_offset(const Bonding& bonding) { return bonding.bond == Bond::running ? bonding.offset : 0.0; }
+
+// Three by two modules, of which the three may run along the rows or across them.
+Stock ashlar_stock(vec2 pitch, double joint_mm, vec2 along) {
+  const vec2 joint{joint_mm, joint_mm};
+  const vec2 size = vec2{3.0, 2.0} * pitch - joint;
+  const vec2 turned = vec2{3.0, 2.0} * vec2{pitch.y, pitch.x} - joint;
+  return {size, std::max(size.x * size.y, turned.x * turned.y), turned, along};
+}
 
 Pattern pattern_of(const Pavement& pavement) {
   const vec2 pitch = pitch_mm(pavement);
@@ -126,6 +135,37 @@ std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionInd
   if (bonding.bond == Bond::ashlar) return ashlar_tiles(pitch_mm(pavement), placement, area, seed, id);
   if (bonding.bond == Bond::crazy) return crazy_tiles(pitch_mm(pavement), placement, area, seed, id);
   return repeated(pattern_of(pavement), placement, area);
+}
+
+Stock stock(const Pavement& pavement) {
+  const vec2 stone = pavement.stone_mm;
+  const auto of = [](vec2 size_mm) { return Stock{size_mm, size_mm.x * size_mm.y, {}, {1.0, 0.0}}; };
+  switch (pavement.bonding.bond) {
+    case Bond::running:
+    case Bond::stack:
+    case Bond::herringbone:
+    case Bond::course:
+      return of(stone);
+    case Bond::packed:
+      return of(std::holds_alternative<ConstantDirection>(pavement.direction) ? stone : bent_stock * stone);
+    case Bond::ashlar:
+      return ashlar_stock(pitch_mm(pavement), pavement.joint_mm, pattern_direction(pavement).direction());
+    case Bond::crazy:
+      return {2.0 * stone, 2.0 * stone.x * stone.y, {}, {1.0, 0.0}};
+    case Bond::basket_weave:
+    case Bond::hexagon:
+    case Bond::segmental_arc:
+    case Bond::fan:
+      break;
+  }
+  Stock largest;
+  for (const Tile& tile : pattern_of(pavement).tiles) {
+    for (const geometry::Polygon& face : faces_of(tile.outline_mm, pavement.joint_mm)) {
+      largest.size_mm = glm::max(largest.size_mm, size_of(extent(face, tile.axis)));
+      largest.area_mm2 = std::max(largest.area_mm2, geometry::area(face));
+    }
+  }
+  return largest;
 }
 
 double whole_face_mm2(const Pavement& pavement) {

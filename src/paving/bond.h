@@ -27,6 +27,7 @@
 #include "geometry/region_index.h"
 #include "paving/pattern.h"
 #include "paving/pavement.h"
+#include "paving/stock.h"
 #include "paving/tiling.h"
 
 namespace shatterpave::paving {
@@ -46,6 +47,18 @@ Angle pattern_direction(const Pavement& pavement);
 
 // The tiles of the pavement's bond, which is not `packed`, over all of the area: they may reach beyond its border.
 std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed);
+
+// The stock that the stones of the bond are cut from, along their axis and across it. None that is laid is larger, whole or
+// cut:
+//   running, stack, herringbone, packed in one direction   stone_mm
+//   basket_weave, hexagon, segmental_arc, fan               the largest stone of the pattern
+//   ashlar          three by two modules, the three along the rows or across them
+//   crazy           twice stone_mm each way, and an area of twice theirs
+//   packed, where rows bend   `bent_stock` times stone_mm each way, since the packing makes no two stones alike
+Stock stock(const Pavement& pavement);
+
+// By trial: of the whole stones of all plans of benchmarks/packing_quality none is larger by more.
+inline constexpr double bent_stock = 1.5;
 
 // The face of a usual whole stone of the bond, mm²: what a small piece is measured by.
 double whole_face_mm2(const Pavement& pavement);

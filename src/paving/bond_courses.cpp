@@ -10,7 +10,7 @@
 #include "geometry/clip.h"
 #include "geometry/lattice.h"
 #include "paving/course.h"
-#include "paving/gaps.h"
+#include "paving/filling.h"
 #include "paving/pattern.h"
 
 namespace shatterpave::paving {
@@ -102,15 +102,13 @@ std::vector<Tile> parallel_tiles(const Pavement& pavement, vec2 pitch, double of
     const std::vector<Polygon> rings = middles.row(k);
     if (rings.empty()) break;
     for (const Polygon& ring : rings) {
-      for (Tile& tile : course_tiles(ring, pitch, moved - std::floor(moved))) {
+      for (Tile& tile : course_tiles(ring, pitch, pavement.joint_mm, moved - std::floor(moved))) {
         if (is_needed(tile.outline_mm, area)) tiles.push_back(std::move(tile));
       }
     }
     moved += offset;
   }
-  tiles = without_overlaps(std::move(tiles), std::max(pitch.x, pitch.y));
-  for (Tile& gap : gap_tiles(tiles, pavement.area, area, pitch)) tiles.push_back(std::move(gap));
-  return tiles;
+  return filling_tiles(tiles, pavement.area);
 }
 
 }  // namespace shatterpave::paving

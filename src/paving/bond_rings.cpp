@@ -16,8 +16,9 @@ namespace shatterpave::paving {
 
 namespace {
 
-// Stones are longer or shorter than asked by up to this part; by eye: it does not show beside joints.
-constexpr double most_off = 0.06;
+// Stones are shorter than asked by up to this part along their outer side, where none is longer; by eye: it does not show
+// beside joints.
+constexpr double most_off = 0.1;
 constexpr double same_stop_mm = 0.01;
 
 struct Ring {
@@ -63,9 +64,9 @@ class Rings {
     const auto last = std::max(static_cast<std::size_t>(std::max(0.0, farthest - first_mm_) / pitch.y), first_) + 2;
     double moved = start;
     for (std::size_t k = 0; k < last - first_; ++k) {
-      const double circumference = 2.0 * pi * (first_mm_ + (static_cast<double>(first_ + k) + 0.5) * pitch.y);
+      const double circumference = 2.0 * pi * (first_mm_ + static_cast<double>(first_ + k + 1) * pitch.y);
       Ring ring{rings_.empty() ? 0.0 : rings_.back().count, 0.0};
-      if (ring.count == 0.0 || circumference > ring.count * (1.0 + most_off) * pitch.x) {
+      if (ring.count == 0.0 || circumference > ring.count * pitch.x) {
         ring.count = std::max(3.0, std::floor(circumference / ((1.0 - most_off) * pitch.x)));
       }
       moved += offset;

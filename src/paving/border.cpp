@@ -4,7 +4,7 @@
 
 #include "geometry/clip.h"
 #include "paving/course.h"
-#include "paving/gaps.h"
+#include "paving/filling.h"
 
 namespace shatterpave::paving {
 
@@ -44,15 +44,14 @@ std::vector<Tile> border_tiles(const Pavement& pavement, const std::vector<Regio
   const vec2 pitch = border_pitch_mm(pavement);
   std::vector<Tile> tiles;
   for (const Region& middle : geometry::offset(pavement.area, -0.5 * pitch.y)) {
-    for (Tile& tile : course_tiles(middle.outline, pitch, 0.0)) tiles.push_back(std::move(tile));
+    for (Tile& tile : course_tiles(middle.outline, pitch, pavement.joint_mm, 0.0)) tiles.push_back(std::move(tile));
     for (const geometry::Polygon& hole : middle.holes) {
-      for (Tile& tile : course_tiles(hole, pitch, 0.0)) tiles.push_back(std::move(tile));
+      for (Tile& tile : course_tiles(hole, pitch, pavement.joint_mm, 0.0)) tiles.push_back(std::move(tile));
     }
   }
-  tiles = without_overlaps(std::move(tiles), std::max(pitch.x, pitch.y));
-  std::vector<Tile> all = tiles;
+  std::vector<Tile> all;
   for (const Region& region : course) {
-    for (Tile& gap : gap_tiles(tiles, region, geometry::RegionIndex(region), pitch)) all.push_back(std::move(gap));
+    for (Tile& tile : filling_tiles(tiles, region)) all.push_back(std::move(tile));
   }
   return all;
 }

@@ -178,6 +178,7 @@ Cells cells_of(std::span<const Particle> particles, const Pavement& pavement) {
   cells.corners = face_centroids(mesh, stands, particles);
   cells.first.push_back(0);
   for (std::size_t p = 0; p < particles.size(); ++p) {
+    cells.axis.push_back(particles[p].axis);
     const auto around = mesh.around(p);
     const bool open = std::ranges::any_of(around, [](const Delaunay::Spoke& s) { return s.face == Delaunay::none; });
     for (std::size_t k = 0; k < around.size() && !open; ++k) {

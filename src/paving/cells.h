@@ -16,7 +16,8 @@ struct Cells {
   std::vector<vec2> corners;             // on the lattice
   std::vector<std::size_t> first;        // sides of cell i are [first[i], first[i + 1])
   std::vector<std::uint32_t> corner;     // of a side, where it begins; counter-clockwise
-  std::vector<std::uint32_t> neighbour;  // of a side, the cell beyond it
+  std::vector<std::uint32_t> neighbour;  // of a side, the cell beyond it; empty where cells do not share corners
+  std::vector<vec2> axis;                // of a cell: unit vector along its stone
 
   // Of a side, whether its first corner lies on the straight line between the one before and the next, where two neighbours
   // meet, and is left out of the outline. Empty where there are none.
@@ -24,6 +25,8 @@ struct Cells {
   // Of a side, whether its first corner lies so near to that line that the stone is laid without it, though the cell is not.
   // Empty where there are none.
   std::vector<bool> bulging;
+  // Of a cell, whether it is no more than a part of a stone. Empty where all are whole.
+  std::vector<bool> part;
 
   std::size_t count() const { return first.size() - 1; }
   geometry::Polygon outline(std::size_t cell) const;

@@ -5,7 +5,6 @@
 
 #include "geometry/clip.h"
 #include "geometry/lattice.h"
-#include "paving/near_index.h"
 
 namespace shatterpave::paving {
 
@@ -88,19 +87,70 @@ class Line {
   double total_ = 0.0;
 };
 
-// Where perpends stand between two lengths of the line, with the two.
-std::vector<double> section_stops(double from, double to, double stone_mm, double phase, bool corners) {
-  const double count = std::max(1.0, std::round((to - from) / stone_mm));
-  const double step = (to - from) / count;
+// A part of the line between two sharp corners, or the whole of it.
+struct Section {
+  double from = 0.0;  // lengths along the line
+  double to = 0.0;
+  bool corners = false;
+  // How much longer than the middle of the course its longer side is at either end, where it is mitred.
+  double more_before = 0.0;
+  double more_after = 0.0;
+};
+
+// How much longer one side of a course is than its middle where it turns; no more than stones at mitres have room for.
+double more_at(const Line& line, std::size_t corner, double half_depth) {
+  const double cosine = line.turn_cosine(corner);
+  return half_depth * std::min(std::sqrt((1.0 - cosine) / std::max(1.0 + cosine, 1e-9)), longest_mitre);
+}
+
+// Lengths along the longer side of a course, whichever that is at each bend, from the beginning of a section.
+class LongerSide {
+ public:
+  LongerSide(const Line& line, const Section& section, double half_depth)
+      : from_(section.from - section.more_before),
+        length_(section.to - section.from + section.more_before + section.more_after) {
+    double more_so_far = 0.0;
+    for (const std::size_t vertex : line.between(section.from, section.to)) {
+      const double more = 2.0 * more_at(line, vertex, half_depth);
+      begins_.push_back(line.at(vertex) - from_ + more_so_far);
+      more_so_far += more;
+      ends_.push_back(line.at(vertex) - from_ + more_so_far);
+      at_.push_back(line.at(vertex));
+    }
+    length_ += more_so_far;
+  }
+
+  double length() const { return length_; }
+  // The place on the middle of the course, as a length along its line.
+  double place(double along) const {
+    const auto after = static_cast<std::size_t>(std::upper_bound(begins_.begin(), begins_.end(), along) - begins_.begin());
+    if (after == 0) return from_ + along;
+    return at_[after - 1] + std::max(0.0, along - ends_[after - 1]);
+  }
+
+ private:
+  double from_;
+  double length_;
+  std::vector<double> begins_;  // of each bend, along the longer side
+  std::vector<double> ends_;
+  std::vector<double> at_;  // along the line
+};
+
+// Where perpends stand in a section, with its two ends. Stones are alike along its longer side.
+std::vector<double> section_stops(const Line& line, const Section& section, vec2 pitch, double joint_mm, double phase) {
+  constexpr double wider = 0.1;  // of a joint: so much wider they may be, by eye, where stones a little longer would do
+  const LongerSide side(line, section, 0.5 * pitch.y);
+  const double count = std::max(1.0, std::ceil(side.length() / (pitch.x + wider * joint_mm) - 1e-9));
+  const double step = side.length() / count;
   std::vector<double> stops;
-  if (corners) stops.push_back(from);
+  if (section.corners) stops.push_back(section.from);
   // By whole numbers; a stone thinner than a quarter is not begun with.
   for (double i = 0.0; i <= count; i += 1.0) {
-    const double s = from + (i + phase) * step;
-    const bool inside = s > from + 0.2 * step && s < to - 0.2 * step;
-    if (corners ? inside : i < count) stops.push_back(s);
+    const double s = side.place((i + phase) * step);
+    const bool inside = s > section.from + 0.2 * step && s < section.to - 0.2 * step;
+    if (section.corners ? inside : i < count) stops.push_back(s);
   }
-  stops.push_back(corners ? to : stops.front() + (to - from));
+  stops.push_back(section.corners ? section.to : stops.front() + (section.to - section.from));
   return stops;
 }
 
@@ -132,82 +182,39 @@ Tile tile_between(const Line& line, double from, double to, double half_depth) {
   return tile;
 }
 
-// Whether a line along a side of `a` has `a` on its left and `b` on its right, but for rounding.
-bool side_separates(const Polygon& a, const Polygon& b) {
-  constexpr double rounding_mm = 0.003;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const vec2 d = a[(i + 1) % a.size()] - a[i];
-    const double slack = rounding_mm * glm::length(d);
-    const auto left = [&](vec2 p) { return cross(d, p - a[i]); };
-    if (std::ranges::all_of(b, [&](vec2 p) { return left(p) <= slack; }) &&
-        std::ranges::all_of(a, [&](vec2 p) { return left(p) >= -slack; })) {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool overlap(const Polygon& a, const Polygon& b) {
-  if (!geometry::boxes_meet(geometry::bounding_box(a), geometry::bounding_box(b))) return false;
-  if (side_separates(a, b) || side_separates(b, a)) return false;
-  // Sides that were rounded for each tile leave slivers in common: 1.4 µm times the length of a stone at the most.
-  constexpr double sliver_mm2 = 5e-4;
-  double common = 0.0;
-  for (const geometry::Region& part : geometry::intersection(a, {b, {}})) common += geometry::area(part);
-  return common > sliver_mm2;
-}
-
 }  // namespace
 
-std::vector<Tile> course_tiles(const Polygon& middle, vec2 pitch, double phase) {
+std::vector<Tile> course_tiles(const Polygon& middle, vec2 pitch, double joint_mm, double phase) {
   if (middle.size() < 3) return {};
   const Line line(middle);
-  std::vector<double> corners;
+  const double half_depth = 0.5 * pitch.y;
+  std::vector<Section> sections;
   for (std::size_t v = 0; v < line.count(); ++v) {
-    if (line.turn_cosine(v) < sharp_cosine) corners.push_back(line.at(v));
+    if (line.turn_cosine(v) >= sharp_cosine) continue;
+    const double more = more_at(line, v, half_depth);
+    if (!sections.empty()) {
+      sections.back().to = line.at(v);
+      sections.back().more_after = more;
+    }
+    sections.push_back({line.at(v), 0.0, true, more, 0.0});
   }
-  const bool sharp = !corners.empty();
-  if (!sharp) corners.push_back(0.0);
-  corners.push_back(corners.front() + line.total());
+  if (sections.empty()) {
+    sections.push_back({0.0, line.total(), false, 0.0, 0.0});
+  } else {
+    sections.back().to = sections.front().from + line.total();
+    sections.back().more_after = sections.front().more_before;
+  }
   std::vector<Tile> tiles;
-  for (std::size_t c = 0; c + 1 < corners.size(); ++c) {
-    auto stops = section_stops(corners[c], corners[c + 1], pitch.x, phase, sharp);
-    for (double& stop : stops) stop = off_bends(line, stop, 0.5 * pitch.y);
+  for (const Section& section : sections) {
+    auto stops = section_stops(line, section, pitch, joint_mm, phase);
+    for (double& stop : stops) stop = off_bends(line, stop, half_depth);
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       if (stops[i + 1] <= stops[i]) continue;
-      Tile tile = tile_between(line, stops[i], stops[i + 1], 0.5 * pitch.y);
+      Tile tile = tile_between(line, stops[i], stops[i + 1], half_depth);
       if (geometry::is_simple(tile.outline_mm) && geometry::area(tile.outline_mm) > 0.0) tiles.push_back(std::move(tile));
     }
   }
   return tiles;
-}
-
-std::vector<Tile> without_overlaps(std::vector<Tile> tiles, double pitch_mm) {
-  NearIndex near(3.0 * pitch_mm, tiles.size());
-  std::vector<Tile> kept;
-  std::vector<std::uint32_t> found;
-  for (Tile& tile : tiles) {
-    const vec2 centre = geometry::centroid(tile.outline_mm);
-    found.clear();
-    near.for_each_near(centre, [&](std::uint32_t k) {
-      if (overlap(kept[k].outline_mm, tile.outline_mm)) found.push_back(k);
-    });
-    std::vector<Polygon> parts{tile.outline_mm};
-    if (!found.empty()) {
-      std::vector<Polygon> others;
-      others.reserve(found.size());
-      for (const std::uint32_t k : found) others.push_back(kept[k].outline_mm);
-      parts.clear();
-      for (geometry::Region& part : geometry::difference({tile.outline_mm, {}}, others)) {
-        if (part.holes.empty()) parts.push_back(std::move(part.outline));
-      }
-    }
-    for (Polygon& part : parts) {
-      near.add(geometry::centroid(part));
-      kept.push_back({std::move(part), tile.axis});
-    }
-  }
-  return kept;
 }
 
 }  // namespace shatterpave::paving

@@ -7,8 +7,9 @@
 
 namespace shatterpave::paving {
 
-// `pieces` of `cells`, in the same order, without those whose face is smaller than `least_piece` of a whole one and that touch
-// another: they are joined to what they touch, smallest first.
-std::vector<Piece> without_small(std::vector<Piece> pieces, const Cells& cells, const StoneSize& size);
+// `pieces` without those whose face is smaller than `least_piece` of a whole one, where they can be joined to what they touch,
+// smallest first: the order stays, and halves of stones that were cut anew are at the end. A small piece is left where no stone
+// that fits the stock can be made of it and its neighbours.
+std::vector<Piece> without_small(std::vector<Piece> pieces, const StoneSize& size);
 
 }  // namespace shatterpave::paving

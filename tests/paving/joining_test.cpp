@@ -57,23 +57,25 @@ Pavement rows(Bond bond, double height_mm) {
   return paved;
 }
 
-// A strip of 10 mm is left above the last row, which is half a stone off the one that would be next.
-TEST(Joining, SharesTheLastStripOutAmongTheRowBelow) {
+// A strip of 10 mm is left above the last row, half a stone off the one that would be next. No stone is deep enough for both:
+// each of the last row and its part of the strip are cut anew, as two of one depth.
+TEST(Joining, CutsTheLastRowAnewWithAStripBesideIt) {
   for (const Bond bond : {Bond::running, Bond::stack}) {
     const Pavement paved = rows(bond, 410);
     const StoneLayout layout = laid_stones(paved, 1);
     EXPECT_EQ(faults(paved, layout).total(), 0U);
     EXPECT_GE(quality(paved, layout).coverage, 0.998);
-    std::size_t grown = 0;
+    std::size_t anew = 0;
     for (const Stone& stone : layout.stones) {
       EXPECT_EQ(stone.outline_mm.size(), 4U) << "stone " << stone.id;
       const geometry::Box box = geometry::bounding_box(stone.outline_mm);
-      if (box.high.y > 400) {
-        ++grown;
-        EXPECT_NEAR(box.high.y - box.low.y, 102.0, 0.1);
-      }
+      EXPECT_LE(box.high.x - box.low.x, 192.001);
+      EXPECT_LE(box.high.y - box.low.y, 92.001);
+      if (box.low.y < 300.0) continue;
+      ++anew;
+      EXPECT_NEAR(box.high.y - box.low.y, 0.5 * (110.0 - 2.0 * 8.0), 0.01);
     }
-    EXPECT_EQ(grown, bond == Bond::stack ? 10U : 11U);
+    EXPECT_EQ(anew, bond == Bond::stack ? 20U : 22U);
   }
 }
 
@@ -83,7 +85,8 @@ TEST(Joining, LeavesNoBedBareWhereANeckWouldBreak) {
   Pavement paved = pavement({{{0, 0}, {1900, 0}, {1900, 1500}, {0, 1500}}, {}}, 340, 14, ConstantDirection{});
   paved.bonding.bond = Bond::crazy;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    EXPECT_GE(quality(paved, laid_stones(paved, seed)).coverage, 0.998) << "seed " << seed;
+    // Strips of up to 1.5 % of a stone's side along the border are left to the joint.
+    EXPECT_GE(quality(paved, laid_stones(paved, seed)).coverage, 0.996) << "seed " << seed;
   }
 }
 
@@ -99,7 +102,8 @@ TEST(Joining, LeavesStonesOfRowsConvexOnSlantedBorders) {
       hollow += geometry::area(geometry::convex_hull(stone.outline_mm)) - geometry::area(stone.outline_mm);
       all += geometry::area(stone.outline_mm);
     }
-    EXPECT_LT(hollow, 0.002 * all) << degrees;
+    // A few beside the border are notched, where two stones that fit their stock could not be made of them.
+    EXPECT_LT(hollow, 0.006 * all) << degrees;
   }
 }
 

@@ -4,16 +4,12 @@
 
 namespace shatterpave {
 
-namespace {
-
 std::string located(const Place& place, const std::string& message) {
   std::string text = place.file;
   if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
   if (!place.key.empty()) text += fmt::format("{}{}", text.empty() ? "" : ": ", place.key);
   return text.empty() ? message : fmt::format("{}: {}", text, message);
 }
-
-}  // namespace
 
 InputError::InputError(const Place& place, const std::string& message) : std::runtime_error(located(place, message)) {}
 

@@ -89,7 +89,7 @@ Scene scene_of_table(const toml::table& table, const std::filesystem::path& file
   scene.name = scene_name(file);
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
   scene.seed = static_cast<std::uint64_t>(root.whole_number("seed", 0, most).value_or(1));
-  Plans plans(root);
+  Plans plans(root, scene.notes);
   Names names;
   scene.panes = panes_of(root, plans, names);
   scene.pavements = pavements_of(root, plans, names);

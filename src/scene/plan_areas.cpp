@@ -123,11 +123,16 @@ std::vector<std::size_t> by_first_part(const std::vector<Region>& regions, const
 }  // namespace
 
 std::vector<Region> regions_of(const Plan& plan, const std::vector<std::size_t>& shapes, const PlanFrame& frame,
-                               double width_mm) {
+                               double width_mm, std::vector<InputError>* left_out) {
   std::vector<Region> regions;
   for (const std::size_t shape : shapes) {
-    for (Region& region : regions_of_shape(plan.shapes[shape], frame, width_mm))
-      regions.push_back(canonical(std::move(region)));
+    try {
+      for (Region& region : regions_of_shape(plan.shapes[shape], frame, width_mm))
+        regions.push_back(canonical(std::move(region)));
+    } catch (const InputError& error) {
+      if (left_out == nullptr) throw;
+      left_out->push_back(error);
+    }
   }
   return regions;
 }

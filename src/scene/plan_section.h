@@ -1,7 +1,6 @@
 // The keys by which [[pane]] and [[pavement]] take areas and lines from plans.
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,14 +25,20 @@ class Plans {
   std::vector<Note>& notes() { return notes_; }
 
   const Plan& plan(const TomlTable& table, std::string_view file_key);
-  const PlanFrame& frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units);
+  PlanFrame frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units);
 
  private:
+  struct SharedFrame {
+    bool svg = false;
+    PlanUnits units;
+    PlanFrame frame;
+  };
+
   std::vector<Note>& notes_;
   std::optional<vec2> origin_;
   double svg_scale_ = 1.0;
   std::map<std::string, Plan> plans_;
-  std::array<std::optional<PlanFrame>, 4> frames_;
+  std::vector<SharedFrame> frames_;
 };
 
 // The areas that `outline_file` and the keys about it give; one or more.

@@ -48,8 +48,9 @@ toml::table parsed(std::string_view text, const std::string& file) {
   }
 }
 
-// The stem of the file, which names the files that are written.
+// The stem of the file, which names the files that are written; of what a shell hands over, "scene".
 std::string scene_name(const std::filesystem::path& file) {
+  if (is_nameless(file)) return "scene";
   std::string name = file.stem().string();
   const bool plain = !name.empty() && std::ranges::all_of(name, [](char c) {
     return static_cast<unsigned char>(c) >= 0x20 && c != 0x7F && c != '"' && c != '\\';

@@ -255,6 +255,10 @@ class ShapeReader {
 
 // Shapes of one file lie in one system, or in several whose coordinates are degrees all the same.
 void take_systems(const std::map<std::string, Place>& systems, Plan& plan) {
+  constexpr std::size_t most_systems = 16;  // each is looked up
+  if (systems.size() > most_systems) {
+    refuse_json(Place{plan.file, 0, 0, ""}, "crs", fmt::format("at most {} reference systems", most_systems), "more");
+  }
   const auto first = std::ranges::find_if(systems, [](const auto& system) { return !system.first.empty(); });
   if (first == systems.end()) return;
   const auto crs = [&](const Place& shape) {

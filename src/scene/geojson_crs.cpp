@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "geometry/polygon.h"
 #include "scene/geojson_text.h"
 #include "scene/input_file.h"
 #include "scene/reference_system.h"
@@ -71,15 +73,55 @@ std::optional<std::string> crs_name(const json& object, const Place& record, con
   return name;
 }
 
+namespace {
+
+InputError refusal(const Place& place, const std::string& is, bool can_be_stated) {
+  return {place, fmt::format("expected a reference system that keeps lengths, such as EPSG:4326 or UTM, got {}{}", is,
+                             can_be_stated ? "; set outline_units to say what its numbers are" : "")};
+}
+
+// Of all positions; nothing without any.
+std::optional<vec2> middle_of(const Plan& plan) {
+  std::optional<geometry::Box> box;
+  for (const PlanShape& shape : plan.shapes) {
+    for (const Ring& ring : shape.rings) {
+      for (const vec2& p : ring.points_mm) {
+        if (!box) box = geometry::Box{p, p};
+        box = geometry::Box{glm::min(box->low, p), glm::max(box->high, p)};
+      }
+    }
+  }
+  return box ? std::optional(0.5 * (box->low + box->high)) : std::nullopt;
+}
+
+// Other maps than Mercator's draw lengths too long or too short as well, far from where they are meant for.
+void judge_scale(const std::string& name, const Place& place, Plan& plan) {
+  constexpr double most_wrong = 0.1;   // what no one can want; maps of whole continents are off by 5 %
+  constexpr double most_quiet = 0.01;  // the grids of surveys are off by less than 0.1 %
+  const auto middle = middle_of(plan);
+  const auto scale = middle ? map_scale(name, *middle) : std::nullopt;
+  if (!scale) return;
+  const double wrong = std::max(scale->most - 1.0, 1.0 - scale->least);
+  const std::string what =
+      fmt::format("{}, a map on which lengths are {:.2f} to {:.2f} times those on the ground at this place", in_quotes(name),
+                  scale->least, scale->most);
+  if (wrong > most_wrong) {
+    plan.units.reset();
+    plan.no_units = refusal(place, what, true);
+  } else if (wrong > most_quiet) {
+    add_note({place, "the file names " + what}, plan.notes);
+  }
+}
+
+}  // namespace
+
 void take_reference_system(const std::string& name, const Place& place, Plan& plan) {
   const ReferenceSystem system = reference_system(name);
   plan.units = system.units;
+  if (system.projected) judge_scale(name, place, plan);
   if (system.units) return;
-  const InputError refusal(
-      place, fmt::format("expected a reference system that keeps lengths, such as EPSG:4326 or UTM, got {}{}", system.is,
-                         system.can_be_stated ? "; set outline_units to say what its numbers are" : ""));
-  if (!system.can_be_stated) throw InputError(refusal);
-  plan.no_units = refusal;
+  if (!system.can_be_stated) throw InputError(refusal(place, system.is, false));
+  plan.no_units = refusal(place, system.is, true);
 }
 
 }  // namespace shatterpave::scene

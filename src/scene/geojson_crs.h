@@ -16,7 +16,8 @@ namespace shatterpave::scene {
 //   record, path   where the object is
 std::optional<std::string> crs_name(const nlohmann::json& object, const Place& record, const std::string& path);
 
-// Sets the units of a plan by the reference system that it names at `place`. Throws InputError for what is of no plane.
+// Sets the units of a plan, whose shapes are read, by the reference system that it names at `place`, or why it gives none; a
+// map that is somewhat off is told in the plan's notes. Throws InputError for what no units can help.
 void take_reference_system(const std::string& name, const Place& place, Plan& plan);
 
 }  // namespace shatterpave::scene

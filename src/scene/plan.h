@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/notes.h"
 #include "scene/outline.h"
 
 namespace shatterpave::scene {
@@ -64,6 +65,7 @@ struct Plan {
       no_units;  // if it says something else: why its coordinates mean nothing unless the scene gives units
   std::vector<PlanFeature> features;
   std::vector<PlanShape> shapes;  // in their order in the file
+  std::vector<Note> notes;
 };
 
 // The plan of a file, which must end in .svg or one of the endings of GeoJSON, unless it is a pipe: then its first character

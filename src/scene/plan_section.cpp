@@ -84,7 +84,9 @@ const Plan& Plans::plan(const TomlTable& table, std::string_view file_key) {
   const std::filesystem::path path = name == "-" ? std::filesystem::path(name) : folder / name;
   const auto found = plans_.find(path.string());
   if (found != plans_.end()) return found->second;
-  return plans_.emplace(path.string(), plan_of_file(path, place, svg_scale_)).first->second;
+  const Plan& plan = plans_.emplace(path.string(), plan_of_file(path, place, svg_scale_)).first->second;
+  for (const Note& note : plan.notes) add_note(note, notes_);
+  return plan;
 }
 
 PlanFrame Plans::frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units) {

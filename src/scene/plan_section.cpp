@@ -95,12 +95,12 @@ std::vector<geometry::Region> outlines_of_plan(const TomlTable& table, Plans& pl
   const auto width = table.number(outline_keys.width, width_range);
   const auto shapes = chosen_shapes(plan, kinds_of(width), choice_of(table, outline_keys), ByDefault::the_only_feature);
   const PlanFrame& frame = plans.frame(plan, shapes, units_asked(table, plan));
-  std::vector<geometry::Region> areas = merged(regions_of(plan, shapes, frame, width.value_or(0.0)));
+  std::vector<geometry::Region> areas = merged(regions_of(plan, shapes, frame, width.value_or(0.0), &plans.notes()));
   if (areas.empty()) refuse(table.place(outline_keys.file), "an outline with an area", "none");
   const ShapeChoice limits = choice_of(table, within_keys);
   if (limits.shapes.empty() && !limits.class_name) return areas;
   const auto limit_shapes = chosen_shapes(plan, kinds_of(std::nullopt), limits, ByDefault::all);
-  areas = within(areas, merged(regions_of(plan, limit_shapes, frame, 0.0)));
+  areas = within(areas, merged(regions_of(plan, limit_shapes, frame, 0.0, &plans.notes())));
   if (areas.empty()) refuse(limits.place, "areas that the outline lies in", "none that it meets");
   return areas;
 }
@@ -115,7 +115,7 @@ std::vector<geometry::Region> without_holes_of_plan(const TomlTable& table, Plan
   const ShapeChoice choice = choice_of(table, hole_keys);
   const auto shapes = chosen_shapes(plan, kinds_of(width), choice, ByDefault::all);
   const PlanFrame& frame = plans.frame(plan, shapes, units_asked(table, plan));
-  std::vector<geometry::Region> left = without(areas, regions_of(plan, shapes, frame, width.value_or(0.0)));
+  std::vector<geometry::Region> left = without(areas, regions_of(plan, shapes, frame, width.value_or(0.0), &plans.notes()));
   if (left.empty()) refuse(choice.place, "holes that leave something of the area", "none left");
   if (!choice.shapes.empty() && left == areas) refuse(choice.place, "a hole in the area", "none that meets it");
   return left;

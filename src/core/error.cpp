@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/notes.h"
+
 namespace shatterpave {
 
 std::string located(const Place& place, const std::string& message) {

@@ -17,9 +17,6 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-// `message` with the parts of its place that are known before it: `file:line:column: key: message`.
-std::string located(const Place& place, const std::string& message);
-
 // Bad input or usage: exit status 2. `what()` is one line, `file:line:column: key: expected …, got …`, with the parts that
 // are known.
 class InputError : public std::runtime_error {

@@ -16,6 +16,9 @@ struct Note {
   bool operator==(const Note&) const = default;
 };
 
+// `message` after the parts of its place that are known: `file:line:column: key: message`.
+std::string located(const Place& place, const std::string& message);
+
 // One line, `file:line:column: key: note: …`, with the parts that are known.
 std::string located(const Note& note);
 

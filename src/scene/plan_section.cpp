@@ -118,7 +118,8 @@ class Taken {
 
   std::vector<geometry::Region> regions(double width_mm) const {
     std::vector<InputError> left_out;
-    std::vector<geometry::Region> regions = regions_of(plan_, shapes_, frame_, width_mm, by_name_ ? nullptr : &left_out);
+    std::vector<geometry::Region> regions =
+        regions_of(plan_, shapes_, frame_, width_mm, &notes_, by_name_ ? nullptr : &left_out);
     if (regions.empty() && !left_out.empty()) throw InputError(left_out.front());
     for (const InputError& error : left_out) tell(error);
     return regions;

@@ -119,6 +119,10 @@ void take_reference_system(const std::string& name, const Place& place, Plan& pl
   const ReferenceSystem system = reference_system(name);
   plan.units = system.units;
   if (system.projected) judge_scale(name, place, plan);
+  plan.axes = system.axes;
+  for (PlanShape& shape : plan.shapes) {
+    for (Ring& ring : shape.rings) std::ranges::transform(ring.points_mm, ring.points_mm.begin(), plan.axes);
+  }
   if (system.units) return;
   if (!system.can_be_stated) throw InputError(refusal(place, system.is, false));
   plan.no_units = refusal(place, system.is, true);

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/notes.h"
+#include "core/vec.h"
 #include "scene/outline.h"
 
 namespace shatterpave::scene {
@@ -35,6 +36,14 @@ inline constexpr PlanUnits PlanUnits::metres{};
 inline constexpr PlanUnits PlanUnits::millimetres{Kind::length, 0.001};
 inline constexpr PlanUnits PlanUnits::feet{Kind::length, 0.3048};
 inline constexpr PlanUnits PlanUnits::us_survey_feet{Kind::length, 1200.0 / 3937.0};
+
+// How the axes of a plan's coordinates lie on the ground: x = east · p, y = north · p.
+struct PlanAxes {
+  vec2 east{1.0, 0.0};
+  vec2 north{0.0, 1.0};
+
+  vec2 operator()(vec2 p) const { return {east.x * p.x + east.y * p.y, north.x * p.x + north.y * p.y}; }
+};
 
 // Whether numbers of the one are numbers of the other, whatever the ellipsoid: datasets round units to 15 digits.
 bool alike(const PlanUnits& a, const PlanUnits& b);
@@ -62,7 +71,8 @@ struct Plan {
   bool svg = false;
   std::optional<PlanUnits> units;  // if the file says so
   std::optional<InputError>
-      no_units;  // if it says something else: why its coordinates mean nothing unless the scene gives units
+      no_units;   // if it says something else: why its coordinates mean nothing unless the scene gives units
+  PlanAxes axes;  // of the file; the shapes are east and north already
   std::vector<PlanFeature> features;
   std::vector<PlanShape> shapes;  // in their order in the file
   std::vector<Note> notes;

@@ -94,7 +94,8 @@ PlanFrame Plans::frame(const Plan& plan, const std::vector<std::size_t>& shapes,
   const auto shared = std::ranges::find_if(
       frames_, [&](const SharedFrame& frame) { return frame.svg == plan.svg && (plan.svg || alike(frame.units, used)); });
   if (shared != frames_.end()) return shared->frame;
-  frames_.push_back({plan.svg, used, frame_of(plan, shapes, units, origin_)});
+  frames_.push_back(
+      {plan.svg, used, frame_of(plan, shapes, units, origin_ ? std::optional(plan.axes(*origin_)) : std::nullopt)});
   return frames_.back().frame;
 }
 

@@ -83,6 +83,12 @@ class Session {
   std::unique_ptr<PJ_CONTEXT, decltype(&::proj_context_destroy)> context_;
 };
 
+// One for each thread, since opening the dataset takes longer than most questions to it.
+const Session& session_of_thread() {
+  thread_local const Session session;
+  return session;
+}
+
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view spaces = " \t\r\n";
   const std::size_t begin = std::min(text.find_first_not_of(spaces), text.size());
@@ -254,29 +260,53 @@ Object plane_of(const Session& session, Object system) {
   return system;
 }
 
-// One of the first axis in radians or metres; nothing where the second differs or the axes are not of that kind.
-std::optional<double> axis_unit(const Session& session, PJ* system, PJ_COORDINATE_SYSTEM_TYPE wanted) {
+// The two axes of the plane: one of each in radians or metres, and where it runs to.
+struct Axes {
+  double unit = 0.0;
+  std::array<std::string, 2> directions;
+};
+
+// Nothing where the units differ or the axes are not of that kind.
+std::optional<Axes> axes_of(const Session& session, PJ* system, PJ_COORDINATE_SYSTEM_TYPE wanted) {
   const ProjLibrary& proj = session.proj();
-  const Object axes = session.object(proj.crs_get_coordinate_system(session.context(), system));
-  if (!axes || proj.cs_get_type(session.context(), axes.get()) != wanted) return std::nullopt;
+  const Object all = session.object(proj.crs_get_coordinate_system(session.context(), system));
+  if (!all || proj.cs_get_type(session.context(), all.get()) != wanted) return std::nullopt;
+  Axes axes;
   std::array<double, 2> units{};
-  for (int i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < 2; ++i) {
     const auto nothing = nullptr;
-    if (proj.cs_get_axis_info(session.context(), axes.get(), i, nothing, nothing, nothing, &units[static_cast<std::size_t>(i)],
+    const char* direction = nullptr;
+    if (proj.cs_get_axis_info(session.context(), all.get(), static_cast<int>(i), nothing, nothing, &direction, &units[i],
                               nothing, nothing, nothing) == 0) {
       return std::nullopt;
     }
+    axes.directions[i] = direction == nullptr ? std::string() : lower(direction);
   }
+  axes.unit = units[0];
   const bool usable = units[0] == units[1] && std::isfinite(units[0]) && units[0] > 0.0;
-  return usable ? std::optional(units[0]) : std::nullopt;
+  return usable ? std::optional(std::move(axes)) : std::nullopt;
+}
+
+PlanAxes plan_axes(const Axes& axes) {
+  const auto along = [&](std::string_view positive, std::string_view negative) {
+    const auto part = [&](const std::string& direction) {
+      return direction == positive ? 1.0 : direction == negative ? -1.0 : 0.0;
+    };
+    return vec2{part(axes.directions[0]), part(axes.directions[1])};
+  };
+  const PlanAxes in_order{along("east", "west"), along("north", "south")};
+  const bool north_first = axes.directions[0] == "north" && axes.directions[1] == "east";
+  // Axes along meridians, about a pole, have no direction of their own.
+  const bool known = in_order.east != vec2(0.0) && in_order.north != vec2(0.0);
+  return known && !north_first ? in_order : PlanAxes{};
 }
 
 // Degrees, or other angles, on the system's own ellipsoid.
 std::optional<PlanUnits> units_of_angles(const Session& session, PJ* system) {
-  const auto radians = axis_unit(session, system, PJ_CS_TYPE_ELLIPSOIDAL);
-  if (!radians) return std::nullopt;
+  const auto axes = axes_of(session, system, PJ_CS_TYPE_ELLIPSOIDAL);
+  if (!axes) return std::nullopt;
   PlanUnits units = PlanUnits::degrees;
-  const double degrees = *radians * (180.0 / pi);
+  const double degrees = axes->unit * (180.0 / pi);
   constexpr double rounding = 1e-9;  // the dataset states a degree to 15 digits
   if (std::abs(degrees - 1.0) > rounding) units.size = degrees;
   const Object ellipsoid = session.object(session.proj().get_ellipsoid(session.context(), system));
@@ -302,7 +332,7 @@ bool is_mercator(const Session& session, PJ* system) {
   return has("mercator") && !has("transverse") && !has("oblique");
 }
 
-ReferenceSystem unusable(std::string is, bool can_be_stated) { return {std::nullopt, false, std::move(is), can_be_stated}; }
+ReferenceSystem unusable(std::string is, bool can_be_stated) { return {std::nullopt, false, {}, std::move(is), can_be_stated}; }
 
 ReferenceSystem described_projection(const Session& session, PJ* system) {
   if (is_mercator(session, system)) {
@@ -310,11 +340,11 @@ ReferenceSystem described_projection(const Session& session, PJ* system) {
                                 in_quotes(session.proj().get_name(system))),
                     false);
   }
-  const auto metres = axis_unit(session, system, PJ_CS_TYPE_CARTESIAN);
-  if (!metres) return unusable("a projection whose axes have no common unit of length", true);
+  const auto axes = axes_of(session, system, PJ_CS_TYPE_CARTESIAN);
+  if (!axes) return unusable("a projection whose axes have no common unit of length", true);
   PlanUnits units = PlanUnits::metres;
-  units.size = *metres;
-  return {units, true, {}, false};
+  units.size = axes->unit;
+  return {units, true, plan_axes(*axes), {}, false};
 }
 
 ReferenceSystem described(const Session& session, PJ* system) {
@@ -325,7 +355,8 @@ ReferenceSystem described(const Session& session, PJ* system) {
       // A turned pole is derived by an operation: longitudes and latitudes of another kind.
       const bool own = !session.object(session.proj().crs_get_coordoperation(session.context(), system));
       const auto units = own ? units_of_angles(session, system) : std::nullopt;
-      return units ? ReferenceSystem{units, false, {}, false} : unusable(name + ", which is derived from another one", true);
+      return units ? ReferenceSystem{units, false, {}, {}, false}
+                   : unusable(name + ", which is derived from another one", true);
     }
     case PJ_TYPE_PROJECTED_CRS:
       return described_projection(session, system);
@@ -343,7 +374,7 @@ ReferenceSystem described(const Session& session, PJ* system) {
 }  // namespace
 
 ReferenceSystem reference_system(std::string_view name) {
-  const Session session;
+  const Session& session = session_of_thread();
   std::vector<ReferenceSystem> meanings;
   for (Object& object : objects_of(session, name)) {
     const Object system = plane_of(session, std::move(object));
@@ -359,16 +390,16 @@ ReferenceSystem reference_system(std::string_view name) {
 }
 
 std::optional<MapScale> map_scale(std::string_view name, vec2 at) {
-  const Session session;
+  const Session& session = session_of_thread();
   const ProjLibrary& proj = session.proj();
   std::vector<Object> found = objects_of(session, name);
   if (found.empty()) return std::nullopt;
   const Object map = plane_of(session, std::move(found[0]));
   if (!map || proj.get_type(map.get()) != PJ_TYPE_PROJECTED_CRS) return std::nullopt;
   const Object globe = session.object(proj.crs_get_geodetic_crs(session.context(), map.get()));
-  const auto unit = axis_unit(session, map.get(), PJ_CS_TYPE_CARTESIAN);
+  const auto axes = axes_of(session, map.get(), PJ_CS_TYPE_CARTESIAN);
   const auto angles = globe ? units_of_angles(session, globe.get()) : std::nullopt;
-  if (!unit || !angles) return std::nullopt;
+  if (!axes || !angles) return std::nullopt;
   const Object as_written =
       session.object(proj.create_crs_to_crs_from_pj(session.context(), map.get(), globe.get(), nullptr, nullptr));
   if (!as_written) return std::nullopt;
@@ -384,7 +415,7 @@ std::optional<MapScale> map_scale(std::string_view name, vec2 at) {
   const vec2 metres = 0.001 * mm_per_degree(middle.y, *angles);
   MapScale scale{1e300, 0.0};
   for (const vec2 way : {vec2{1, 0}, vec2{0, 1}, vec2{std::sqrt(0.5), std::sqrt(0.5)}, vec2{std::sqrt(0.5), -std::sqrt(0.5)}}) {
-    vec2 moved = degrees(at + way * (step_m / *unit)) - middle;
+    vec2 moved = degrees(at + way * (step_m / axes->unit)) - middle;
     moved.x = std::remainder(moved.x, 360.0);
     const double ground_m = glm::length(moved * metres);
     if (!(ground_m > 0.0) || !std::isfinite(ground_m)) return std::nullopt;

@@ -14,6 +14,9 @@ namespace shatterpave::scene {
 struct ReferenceSystem {
   std::optional<PlanUnits> units;  // of a geographic system, or of a projected one that keeps lengths
   bool projected = false;
+  // How x and y of GeoJSON lie: that of a system with north and east as east and north, as all programs write them; others in
+  // the order and the sense of the system (westing and southing in South Africa, southing and westing of Krovak's).
+  PlanAxes axes;
   // Where there are no units:
   std::string is;              // what it is, for a message: "a Mercator projection, …"
   bool can_be_stated = false;  // whether a scene may state units for it: it is unknown, or of no place

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "geometry/lattice.h"
 #include "geometry/polygon.h"
 #include "scene/plan_areas.h"
 #include "scene/read_scene.h"
@@ -147,6 +148,39 @@ TEST_F(GeoJsonFile, FeetMoveToTheirMiddleInWholeFeet) {
   const geometry::Box box = geometry::bounding_box(scene().pavements[0].area.outline);
   EXPECT_NEAR(box.low.x, -5 * 304.8006, 0.01);
   EXPECT_NEAR(box.high.y, 5 * 304.8006, 0.01);
+}
+
+// A triangle with its right angle at the second point, in systems whose axes run south and west.
+TEST_F(GeoJsonFile, NorthIsUpWhateverTheAxes) {
+  const auto corners = [&](const std::string& ring, const std::string& crs) {
+    write(polygon(ring, crs_name(crs)));
+    geometry::Polygon p = scene().pavements.at(0).area.outline;
+    const geometry::Box box = geometry::bounding_box(p);
+    for (vec2& corner : p) corner = geometry::on_lattice(corner - box.low);
+    return p;
+  };
+  const std::string ring = "[[500000,6000000],[500010,6000000],[500010,6000005]]";
+  EXPECT_EQ(corners(ring, "EPSG:25833"), (geometry::Polygon{{0, 0}, {10'000, 0}, {10'000, 5'000}}));
+  EXPECT_EQ(corners("[[3500000,5600000],[3500010,5600000],[3500010,5600005]]", "EPSG:31467"),
+            (geometry::Polygon{{0, 0}, {10'000, 0}, {10'000, 5'000}}));  // north first by its definition, not in GeoJSON
+  EXPECT_EQ(corners("[[20000,3700000],[20010,3700000],[20010,3700005]]", "EPSG:2053"),
+            (geometry::Polygon{{0, 0}, {10'000, 5'000}, {0, 5'000}}));  // westing, southing
+  EXPECT_EQ(corners("[[1043000,743000],[1043010,743000],[1043010,743005]]", "EPSG:5513"),
+            (geometry::Polygon{{0, 0}, {5'000, 0}, {5'000, 10'000}}));  // southing, westing
+}
+
+TEST_F(GeoJsonFile, MapsThatAreOffAreToldOrRefused) {
+  const std::string plate = polygon(rectangle(1'200'000.0, 6'679'169.0, 40, 24), crs_name("EPSG:4087"));
+  EXPECT_EQ(
+      error(plate),
+      "a.geojson: crs: expected a reference system that keeps lengths, such as EPSG:4326 or UTM, got \"EPSG:4087\", a map on "
+      "which lengths are 1.00 to 2.00 times those on the ground at this place; set outline_units to say what its numbers are");
+  expect_size(size(plate, "outline_units = \"metres\"\n"), 40.0, 24.0, "stated");
+  const std::string europe = polygon(rectangle(4'000'000.0, 2'800'000.0, 40, 24), crs_name("EPSG:3034"));
+  expect_size(size(europe), 40.0, 24.0, "Lambert's map of Europe");
+  ASSERT_EQ(notes(europe).size(), 1U);
+  EXPECT_EQ(notes(europe)[0].substr(0, 74), "a.geojson: crs: note: the file names \"EPSG:3034\", a map on which lengths ar");
+  EXPECT_TRUE(notes(polygon(rectangle(391'000, 5'812'000, 40, 24), crs_name("EPSG:25833"))).empty());
 }
 
 TEST_F(GeoJsonFile, CrsThatKeepsNoLengthsIsRefused) {

@@ -436,10 +436,10 @@ TEST(GeoJson, TakesReferenceSystemsAtTheirWord) {
     EXPECT_NEAR(geometry::bounding_box(geojson(text(crs, degrees)).outline).high.x, 33'970, 10) << crs;
   }
   EXPECT_EQ(message_of([&] { geojson_areas(text("EPSG:3857", small)); }),
-            "a.geojson: crs: expected a reference system that keeps lengths, such as EPSG:4326 or UTM, got the web's Mercator "
-            "projection");
+            "a.geojson: crs: expected a reference system that keeps lengths, such as EPSG:4326 or UTM, got \"WGS 84 / "
+            "Pseudo-Mercator\", a Mercator projection, in which lengths grow with latitude: twice too long at 60°");
   EXPECT_EQ(message_of([&] {
-              geojson_areas(R"({"type":"Polygon","coordinates":[[[190,10],[190.001,10],[190.001,10.001]]]})");
+              geojson_areas(R"({"type":"Polygon","coordinates":[[[400,10],[400.001,10],[400.001,10.001]]]})");
             }).substr(0, 70),
             "a.geojson: coordinates[0]: expected longitude and latitude or metres, ");
 }

@@ -189,6 +189,8 @@ Object by_definition(const Session& session, std::string_view text) {
   }
   std::string definition(text);
   const bool of_proj = text.starts_with('+') || text.starts_with("proj=");
+  // A row of operations is none, though PROJ takes it for one if it is told so.
+  if (of_proj && text.find("proj=pipeline") != std::string_view::npos) return session.object(nullptr);
   if (of_proj && text.find("type=crs") == std::string_view::npos) definition += " +type=crs";
   return session.defined(definition);
 }

@@ -30,7 +30,7 @@ TEST(ReferenceSystem, DegreesInEverySpelling) {
        "http://spatialreference.org/ref/epsg/4326/", "https://spatialreference.org/ref/epsg/4326/ogcwkt/",
        "https://epsg.io/4326", "https://epsg.io/4326.json", "+init=epsg:4326", " EPSG:4326\n",
        // Degrees that the numbers of EPSG's dataset do not tell.
-       "EPSG:7844", "EPSG:6697", "EPSG:6318", "EPSG:9057", "EPSG:10176", "EPSG:4979", "EPSG:8685", "ESRI:104145", "EPSG:104145",
+       "EPSG:7844", "EPSG:6697", "EPSG:6318", "EPSG:9057", "EPSG:4979", "EPSG:8685", "ESRI:104145", "EPSG:104145",
        // OGC's own.
        "OGC:CRS84", "CRS84", "crs84", "CRS:84", "CRS:83", "OGC:CRS27", "OGC:CRS84h", "CRS84h", "urn:ogc:def:crs:OGC:1.3:CRS84",
        "urn:ogc:def:crs:OGC::CRS84", "urn:ogc:def:crs:OGC:2:84", "http://www.opengis.net/def/crs/OGC/1.3/CRS84",

@@ -47,6 +47,9 @@ find src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk -v rules
   /^[ \t]*#[ \t]*include[ \t]*<(bt[A-Z]|BulletCollision|BulletDynamics|LinearMath)/ && FILENAME != "src/glass/fall.cpp" {
     wrong("Bullet is included in glass/fall.cpp alone")
   }
+  /^[ \t]*#[ \t]*include[ \t]*<proj/ && FILENAME != "src/scene/proj_library.h" {
+    wrong("PROJ is included in scene/proj_library.h alone, which opens it")
+  }
   /^[ \t]*#[ \t]*include[ \t]*<OpenImageIO\// && room != "relief" && !(FILENAME ~ /^tests\/(render|relief)\//) {
     wrong("OpenImageIO is included in relief alone")
   }

@@ -17,3 +17,9 @@ pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
 # Bullet in double precision: its build in single precision takes another way through processors that have more.
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(sleef REQUIRED IMPORTED_TARGET sleef)
+# PROJ is opened at run time, by the name that the library has for its programs: libproj.so.25.
+pkg_check_modules(proj REQUIRED proj>=9)
+pkg_get_variable(proj_libdir proj libdir)
+pkg_get_variable(proj_datadir proj datadir)
+get_filename_component(proj_soname ${proj_libdir}/libproj.so REALPATH)
+string(REGEX MATCH "libproj\\.so\\.[0-9]+" proj_soname ${proj_soname})

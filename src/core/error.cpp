@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-namespace shatterpave {
+#include "core/notes.h"
 
-namespace {
+namespace shatterpave {
 
 std::string located(const Place& place, const std::string& message) {
   std::string text = place.file;
@@ -12,8 +12,6 @@ std::string located(const Place& place, const std::string& message) {
   if (!place.key.empty()) text += fmt::format("{}{}", text.empty() ? "" : ": ", place.key);
   return text.empty() ? message : fmt::format("{}: {}", text, message);
 }
-
-}  // namespace
 
 InputError::InputError(const Place& place, const std::string& message) : std::runtime_error(located(place, message)) {}
 

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iostream>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 namespace shatterpave::scene {
 
@@ -46,29 +49,57 @@ std::size_t character_length(std::string_view text, std::size_t at) {
 
 }  // namespace
 
+bool is_nameless(const std::filesystem::path& file) {
+  const std::string& name = file.native();
+  return name == "-" || name.starts_with("/dev/") || (name.starts_with("/proc/") && name.find("/fd/") != std::string::npos);
+}
+
+namespace {
+
+// All of a stream, but no more than a byte over the limit; nothing where it cannot be read.
+std::optional<std::string> content_of(std::istream& stream, std::size_t limit, std::size_t likely_size) {
+  std::string text;
+  // Of a pipe no one knows the size before its end.
+  std::size_t size = likely_size + 1;
+  while (stream && text.size() <= limit) {
+    const std::size_t had = text.size();
+    text.resize(std::min(std::max(size, had + 1), limit + 1));
+    stream.read(text.data() + had, static_cast<std::streamsize>(text.size() - had));
+    text.resize(had + static_cast<std::size_t>(stream.gcount()));
+    size = 2 * text.size();
+  }
+  return stream.bad() ? std::nullopt : std::optional(std::move(text));
+}
+
+}  // namespace
+
 std::string input_text(const std::filesystem::path& file, std::size_t limit, const Place& place) {
   // The place may be in another file, which names this one.
   const auto refuse = [&](std::string_view expected, std::string_view got) {
     const std::string name = place.file == file.string() ? std::string() : ": " + file.string();
     throw InputError(place, fmt::format("expected {}, got {}{}", expected, got, name));
   };
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) {
-    const bool missing = !error || error == std::errc::no_such_file_or_directory;
-    refuse("a file", missing ? "none of that name" : error.message());
+  constexpr std::size_t of_a_pipe = std::size_t{1} << 16;
+  std::optional<std::string> text;
+  if (file == "-") {
+    text = content_of(std::cin, limit, of_a_pipe);
+  } else {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) {
+      const bool missing = !error || error == std::errc::no_such_file_or_directory;
+      refuse("a file", missing ? "none of that name" : error.message());
+    }
+    if (std::filesystem::is_directory(status)) refuse("a file", "a folder");
+    const bool regular = std::filesystem::is_regular_file(status);
+    if (!regular && !std::filesystem::is_fifo(status)) refuse("a regular file", "something else");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) refuse("a file that can be read", "one that cannot be opened");
+    text = content_of(stream, limit, regular ? static_cast<std::size_t>(std::filesystem::file_size(file)) : of_a_pipe);
   }
-  if (std::filesystem::is_directory(status)) refuse("a file", "a folder");
-  if (!std::filesystem::is_regular_file(status)) refuse("a regular file", "something else");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse("a file that can be read", "one that cannot be opened");
-  std::string text;
-  text.resize(std::min<std::size_t>(limit, static_cast<std::size_t>(std::filesystem::file_size(file))) + 1);
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) refuse("a file that can be read", "an error while reading");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > limit) refuse(fmt::format("a file of at most {} MiB", limit >> 20), "a larger one");
-  return text;
+  if (!text) refuse("a file that can be read", "an error while reading");
+  if (text->size() > limit) refuse(fmt::format("a file of at most {} MiB", limit >> 20), "a larger one");
+  return *std::move(text);
 }
 
 void require_utf8(std::string_view text, const std::string& file) {

@@ -15,8 +15,12 @@ namespace shatterpave::scene {
 inline constexpr std::size_t largest_scene_bytes = std::size_t{16} << 20;
 inline constexpr std::size_t largest_outline_bytes = std::size_t{32} << 20;
 
-// The content of a regular file. Throws InputError, at `place`, where it is missing, not a file, unreadable or larger than
-// `limit`.
+// Whether a file has no name of its own: "-", which is the standard input, and what a shell opens for a command (/dev/fd/63,
+// /dev/stdin). Its contents tell what it is, and what it names is sought from the current folder.
+bool is_nameless(const std::filesystem::path& file);
+
+// The content of a regular file, of a pipe to its end, or of the standard input for "-". Throws InputError, at `place`, where
+// it is missing, not a file, unreadable or larger than `limit`.
 std::string input_text(const std::filesystem::path& file, std::size_t limit, const Place& place);
 
 // Throws InputError at the first byte that is not UTF-8. `file` is the name for the message.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -34,7 +33,11 @@ struct CleanVertex {
 struct CleanRing {
   Polygon points;
   std::vector<std::size_t> given;
+  std::optional<std::size_t> spike;  // the number of the given point at the tip of one that was left out
 };
+
+// Shorter ones are of rounding.
+constexpr std::int64_t shortest_told_spike = 10;  // µm
 
 vec2 limited(vec2 p, const Place& place) {
   const double limit = geometry::largest_coordinate_mm;
@@ -49,12 +52,21 @@ bool redundant(const CleanVertex& a, const CleanVertex& b, const CleanVertex& c)
   return geometry::side(a.at, b.at, c.at) == geometry::Side::on;
 }
 
+// Whether the line doubles back at b, which is redundant.
+bool is_spike(const CleanVertex& a, const CleanVertex& b, const CleanVertex& c) {
+  const auto far = [&](const LatticePoint& p) {
+    return std::max(std::abs(p.x - b.at.x), std::abs(p.y - b.at.y)) >= shortest_told_spike;
+  };
+  return far(a.at) && far(c.at) && !geometry::on_segment(a.at, c.at, b.at);
+}
+
 // Appends a vertex after those that it makes redundant are gone.
-void append(const CleanVertex& vertex, std::vector<CleanVertex>& kept) {
+void append(const CleanVertex& vertex, std::vector<CleanVertex>& kept, std::optional<std::size_t>& spike) {
   while (!kept.empty()) {
     // Of repeated points the last one is where the edge starts.
     const bool repeats = kept.back().at == vertex.at;
     if (!repeats && (kept.size() < 2 || !redundant(kept[kept.size() - 2], kept.back(), vertex))) break;
+    if (!repeats && !spike && is_spike(kept[kept.size() - 2], kept.back(), vertex)) spike = kept.back().given;
     kept.pop_back();
   }
   kept.push_back(vertex);
@@ -78,11 +90,11 @@ void close(std::vector<CleanVertex>& kept) {
 // Of fewer than three vertices if the ring has no area.
 CleanRing clean_ring(const Ring& ring) {
   std::vector<CleanVertex> kept;
+  CleanRing clean;
   for (std::size_t i = 0; i < ring.points_mm.size(); ++i) {
-    append({geometry::to_lattice(limited(ring.points_mm[i], ring.place)), i}, kept);
+    append({geometry::to_lattice(limited(ring.points_mm[i], ring.place)), i}, kept, clean.spike);
   }
   close(kept);
-  CleanRing clean;
   for (const CleanVertex& vertex : kept) {
     clean.points.push_back(geometry::to_mm(vertex.at));
     clean.given.push_back(vertex.given);
@@ -107,23 +119,28 @@ CleanRing clean_ring_with_area(const Ring& ring) {
 
 std::string ring_name(std::size_t ring) { return ring == 0 ? "the outline" : fmt::format("hole {}", ring - 1); }
 
-using RingName = std::function<std::string(std::size_t)>;
+struct FaultText {
+  std::string expected;
+  std::string got;
+};
 
-std::string fault_message(const RegionFault& fault, const std::vector<CleanRing>& rings, const RingName& name) {
-  const auto edge = [&](const RingEdge& e) { return fmt::format("edge {} of {}", rings[e.ring].given[e.edge], name(e.ring)); };
+FaultText fault_text(const RegionFault& fault, const std::vector<CleanRing>& rings) {
+  const auto edge = [&](const RingEdge& e) {
+    return fmt::format("edge {} of {}", rings[e.ring].given[e.edge], ring_name(e.ring));
+  };
   const std::string at = fmt::format("at ({}, {})", fault.at_mm.x, fault.at_mm.y);
   const std::string both = fmt::format("{} and {}", edge(fault.a), edge(fault.b));
   switch (fault.kind) {
     case RegionFault::Kind::crossing:
-      return fmt::format("expected edges that do not cross, got {} crossing {}", both, at);
+      return {"edges that do not cross", fmt::format("{} crossing {}", both, at)};
     case RegionFault::Kind::overlap:
-      return fmt::format("expected edges that do not overlap, got {} overlapping {}", both, at);
+      return {"edges that do not overlap", fmt::format("{} overlapping {}", both, at)};
     case RegionFault::Kind::touch:
-      return fmt::format("expected a ring that does not touch itself, got {} meeting {}", both, at);
+      return {"a ring that does not touch itself", fmt::format("{} meeting {}", both, at)};
     case RegionFault::Kind::hole_outside:
-      return fmt::format("expected holes inside the outline, got {} outside {}", name(fault.a.ring), at);
+      return {"holes inside the outline", fmt::format("{} outside {}", ring_name(fault.a.ring), at)};
     case RegionFault::Kind::holes_overlap:
-      return fmt::format("expected holes that do not overlap, got {} inside another {}", name(fault.a.ring), at);
+      return {"holes that do not overlap", fmt::format("{} inside another {}", ring_name(fault.a.ring), at)};
   }
   return {};
 }
@@ -156,23 +173,16 @@ bool on_border(const Polygon& ring, vec2 point) {
   return false;
 }
 
-[[noreturn]] void refuse_passing(const FilledRing& ring, vec2 at) {
-  throw InputError(
-      ring.given->place,
-      fmt::format("expected rings that do not cross, got one that passes through another near ({}, {})", at.x, at.y));
-}
-
 // Whether `inner` lies inside `outer`, none of whose edges it crosses: its vertices decide, or if all are on the border, the
-// middle of an edge that is not.
-bool lies_inside(const FilledRing& inner, const FilledRing& outer) {
+// middle of an edge that is not. Nothing if it passes through where both have a vertex.
+std::optional<bool> lies_inside(const FilledRing& inner, const FilledRing& outer) {
   if (std::abs(inner.area_mm2) >= std::abs(outer.area_mm2) || !geometry::boxes_meet(inner.box, outer.box)) return false;
   const Polygon& points = inner.clean.points;
   std::optional<bool> inside;
   for (const vec2& vertex : points) {
     if (outer.index.border_within(vertex, 0.5 / geometry::lattice_per_mm)) continue;
     const bool vertex_inside = outer.index.contains(vertex);
-    // Rings can pass through each other where both have a vertex.
-    if (inside && *inside != vertex_inside) refuse_passing(inner, vertex);
+    if (inside && *inside != vertex_inside) return std::nullopt;
     inside = vertex_inside;
   }
   for (std::size_t i = 0; i < points.size() && !inside; ++i) {
@@ -182,29 +192,28 @@ bool lies_inside(const FilledRing& inner, const FilledRing& outer) {
   return inside.value_or(false);
 }
 
-// Rings may lie in one another, but they may neither cross nor have stretches of edges in common.
-void refuse_crossing_rings(const std::vector<FilledRing>& rings) {
+// Whether rings cross, or have stretches of edges in common, or touch themselves. They may lie in one another.
+bool rings_interfere(const std::vector<FilledRing>& rings) {
   // The test for regions, with an outline about all: which ring lies in which is not asked here.
   const double far = geometry::largest_coordinate_mm + 1.0;
-  std::vector<CleanRing> clean{{{{-far, -far}, {far, -far}, {far, far}, {-far, far}}, {0, 1, 2, 3}}};
   std::vector<Polygon> holes;
-  for (const FilledRing& ring : rings) {
-    clean.push_back(ring.clean);
-    holes.push_back(ring.clean.points);
-  }
-  const auto fault = geometry::region_fault(clean.front().points, holes);
-  if (!fault || fault->kind == RegionFault::Kind::holes_overlap) return;
-  const auto name = [&](std::size_t ring) { return rings.size() == 1 ? ring_name(0) : fmt::format("subpath {}", ring - 1); };
-  const std::size_t ring = std::max(fault->a.ring, fault->b.ring);
-  throw InputError(rings[ring - 1].given->place, fault_message(*fault, clean, name));
+  for (const FilledRing& ring : rings) holes.push_back(ring.clean.points);
+  const auto fault = geometry::region_fault({{-far, -far}, {far, -far}, {far, far}, {-far, far}}, holes);
+  return fault && fault->kind != RegionFault::Kind::holes_overlap;
 }
 
-// For each ring, those about it.
-std::vector<std::vector<std::size_t>> containers_of(const std::vector<FilledRing>& rings) {
-  std::vector<std::vector<std::size_t>> containers(rings.size());
+using Containers = std::vector<std::vector<std::size_t>>;
+
+// For each ring, those about it; nothing if rings pass through each other.
+std::optional<Containers> containers_of(const std::vector<FilledRing>& rings) {
+  if (rings_interfere(rings)) return std::nullopt;
+  Containers containers(rings.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {
     for (std::size_t j = 0; j < rings.size(); ++j) {
-      if (i != j && lies_inside(rings[i], rings[j])) containers[i].push_back(j);
+      if (i == j) continue;
+      const auto inside = lies_inside(rings[i], rings[j]);
+      if (!inside) return std::nullopt;
+      if (*inside) containers[i].push_back(j);
     }
   }
   return containers;
@@ -244,39 +253,8 @@ void start_at_leftmost(Polygon& ring) {
   std::rotate(ring.begin(), leftmost, ring.end());
 }
 
-}  // namespace
-
-Region canonical(Region region) {
-  region = geometry::oriented_region(std::move(region.outline), std::move(region.holes));
-  start_at_leftmost(region.outline);
-  for (Polygon& hole : region.holes) start_at_leftmost(hole);
-  return region;
-}
-
-Region region_of(const Ring& outline, const std::vector<Ring>& holes) {
-  limit_rings(holes, outline.points_mm.size(), outline.place);
-  std::vector<CleanRing> rings{clean_ring_with_area(outline)};
-  std::vector<Polygon> hole_points;
-  for (const Ring& hole : holes) {
-    rings.push_back(clean_ring_with_area(hole));
-    hole_points.push_back(rings.back().points);
-  }
-  if (const auto fault = geometry::region_fault(rings[0].points, hole_points)) {
-    const std::size_t ring = std::max(fault->a.ring, fault->b.ring);
-    throw InputError(ring == 0 ? outline.place : holes[ring - 1].place, fault_message(*fault, rings, ring_name));
-  }
-  return canonical({std::move(rings[0].points), std::move(hole_points)});
-}
-
-std::vector<Region> filled_regions(const std::vector<Ring>& given, FillRule rule) {
-  limit_rings(given, 0, given.front().place);
-  const std::vector<FilledRing> rings = rings_with_area(given);
-  if (rings.empty()) {
-    clean_ring_with_area(given.front());  // says what is wrong with it
-    return {};
-  }
-  refuse_crossing_rings(rings);
-  const auto containers = containers_of(rings);
+// The regions of rings of which it is known which lies in which.
+std::vector<Region> nested_regions(const std::vector<FilledRing>& rings, const Containers& containers, FillRule rule) {
   std::vector<std::optional<std::size_t>> region_at(rings.size());
   std::vector<std::size_t> holes;
   std::vector<Region> regions;
@@ -299,9 +277,144 @@ std::vector<Region> filled_regions(const std::vector<Ring>& given, FillRule rule
     }
     if (owner) regions[*region_at[*owner]].holes.push_back(rings[hole].clean.points);
   }
+  return regions;
+}
+
+// Calls fill(), which may find that rings cross too often.
+template <typename Fill>
+std::vector<Region> filled_at(const Place& place, Fill fill) {
+  try {
+    return fill();
+  } catch (const geometry::TooManyCrossings&) {
+    throw InputError(place, fmt::format("expected edges that cross at most {} times, got more", geometry::most_crossings));
+  }
+}
+
+std::vector<Region> filled_anew(const std::vector<FilledRing>& rings, FillRule rule) {
+  std::vector<Polygon> polygons;
+  for (const FilledRing& ring : rings) polygons.push_back(ring.clean.points);
+  return filled_at(rings.front().given->place, [&] { return geometry::filled(polygons, rule); });
+}
+
+// An outline and its holes: all rings in this order, and the points of the holes once more.
+struct PolygonRings {
+  std::vector<CleanRing> all;
+  std::vector<Polygon> holes;
+};
+
+PolygonRings polygon_rings(const Ring& outline, const std::vector<Ring>& holes) {
+  limit_rings(holes, outline.points_mm.size(), outline.place);
+  PolygonRings rings{{clean_ring_with_area(outline)}, {}};
+  for (const Ring& hole : holes) {
+    rings.all.push_back(clean_ring_with_area(hole));
+    rings.holes.push_back(rings.all.back().points);
+  }
+  return rings;
+}
+
+std::vector<Region> repaired(const PolygonRings& rings, const Place& place) {
+  return filled_at(place,
+                   [&] { return geometry::filled_without(rings.all[0].points, rings.holes, geometry::FillRule::evenodd); });
+}
+
+// Whether the regions have the area that the rings add up to, but for what the lattice rounds along them.
+bool as_large_as(const PolygonRings& rings, const std::vector<Region>& regions) {
+  double area = 0.0;
+  double round = 0.0;
+  for (std::size_t r = 0; r < rings.all.size(); ++r) {
+    const Polygon& ring = rings.all[r].points;
+    area += (r == 0 ? 1.0 : -1.0) * std::abs(geometry::area(ring));
+    for (std::size_t i = 0; i < ring.size(); ++i) round += glm::distance(ring[i], ring[(i + 1) % ring.size()]);
+  }
+  double filled = 0.0;
+  for (const Region& region : regions) filled += geometry::area(region);
+  return std::abs(filled - area) <= round / geometry::lattice_per_mm;
+}
+
+const Place& fault_place(const RegionFault& fault, const Ring& outline, const std::vector<Ring>& holes) {
+  const std::size_t ring = std::max(fault.a.ring, fault.b.ring);
+  return ring == 0 ? outline.place : holes[ring - 1].place;
+}
+
+void tell_repair(const FaultText& text, const std::vector<Region>& regions, const Place& place, std::vector<Note>* notes) {
+  if (notes == nullptr) return;
+  double area_mm2 = 0.0;
+  for (const Region& region : regions) area_mm2 += geometry::area(region);
+  const std::string count = regions.size() == 1 ? "one area" : fmt::format("{} areas", regions.size());
+  add_note({place, fmt::format("read as what the outline encloses (even-odd) and no hole does, {} of {:.6g} m², since {}",
+                               count, area_mm2 * 1e-6, text.got)},
+           *notes);
+}
+
+void tell_spike(const Ring& ring, std::size_t point, std::vector<Note>* notes) {
+  if (notes == nullptr) return;
+  const vec2 at = geometry::on_lattice(ring.points_mm[point]);
+  add_note({ring.place, fmt::format("a spike without width is left out: point {} at ({}, {})", point, at.x, at.y)}, *notes);
+}
+
+// A hole that encloses nothing takes nothing away.
+std::vector<Ring> holes_with_area(const std::vector<Ring>& holes, std::vector<Note>* notes) {
+  std::vector<Ring> kept;
+  for (const Ring& hole : holes) {
+    if (has_area(hole)) {
+      kept.push_back(hole);
+    } else if (notes != nullptr) {
+      add_note({hole.place, "a hole that encloses no area is left out"}, *notes);
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+Region canonical(Region region) {
+  region = geometry::oriented_region(std::move(region.outline), std::move(region.holes));
+  start_at_leftmost(region.outline);
+  for (Polygon& hole : region.holes) start_at_leftmost(hole);
+  return region;
+}
+
+Region region_of(const Ring& outline, const std::vector<Ring>& holes, std::vector<Note>* notes) {
+  const PolygonRings rings = polygon_rings(outline, holes);
+  const auto fault = geometry::region_fault(rings.all[0].points, rings.holes);
+  if (!fault) return canonical({rings.all[0].points, rings.holes});
+  std::vector<Region> regions = repaired(rings, outline.place);
+  const Place& place = fault_place(*fault, outline, holes);
+  const FaultText text = fault_text(*fault, rings.all);
+  if (regions.size() != 1 || !as_large_as(rings, regions)) {
+    throw InputError(place, fmt::format("expected {}, got {}", text.expected, text.got));
+  }
+  tell_repair(text, regions, place, notes);
+  return canonical(std::move(regions.front()));
+}
+
+std::vector<Region> regions_of_polygon(const Ring& outline, const std::vector<Ring>& given_holes, std::vector<Note>* notes) {
+  const std::vector<Ring> holes = holes_with_area(given_holes, notes);
+  const PolygonRings rings = polygon_rings(outline, holes);
+  for (std::size_t i = 0; i < rings.all.size(); ++i) {
+    if (rings.all[i].spike) tell_spike(i == 0 ? outline : holes[i - 1], *rings.all[i].spike, notes);
+  }
+  const auto fault = geometry::region_fault(rings.all[0].points, rings.holes);
+  if (!fault) return {canonical({rings.all[0].points, rings.holes})};
+  std::vector<Region> regions = repaired(rings, outline.place);
+  if (regions.empty()) throw InputError(outline.place, "expected an outline with an area, got one that encloses none");
+  tell_repair(fault_text(*fault, rings.all), regions, fault_place(*fault, outline, holes), notes);
   for (Region& region : regions) region = canonical(std::move(region));
   return regions;
 }
+
+std::vector<Region> filled_regions(const std::vector<Ring>& given, FillRule rule) {
+  limit_rings(given, 0, given.front().place);
+  const std::vector<FilledRing> rings = rings_with_area(given);
+  if (rings.empty()) clean_ring_with_area(given.front());  // says what is wrong with it
+  const auto containers = containers_of(rings);
+  std::vector<Region> regions = containers ? nested_regions(rings, *containers, rule) : filled_anew(rings, rule);
+  if (regions.empty()) throw InputError(given.front().place, "expected subpaths that fill an area, got such that fill none");
+  for (Region& region : regions) region = canonical(std::move(region));
+  return regions;
+}
+
+bool has_area(const Ring& ring) { return clean_ring(ring).points.size() >= 3; }
 
 std::vector<vec2> line_of(const Ring& line) {
   std::vector<vec2> points;

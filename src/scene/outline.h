@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/notes.h"
+#include "geometry/fill.h"
 #include "geometry/polygon.h"
 
 namespace shatterpave::scene {
@@ -23,13 +25,26 @@ inline constexpr std::size_t most_holes = 10'000;
 // µm); repeated ones, those on the straight line between their neighbours, and spikes without width are left out; the outline
 // runs counter-clockwise, holes clockwise, each from its leftmost vertex (of several, the lowest). Throws InputError, at the
 // place of the ring, where the rings make no region; an edge has the number of the given point where it starts, from 0.
-geometry::Region region_of(const Ring& outline, const std::vector<Ring>& holes);
+//
+// Rings that touch or run along themselves or each other, or cross by no more than the lattice rounds, are read as what the
+// outline encloses and no hole does, if that is one region and as large as the rings say; it is told in `notes`.
+geometry::Region region_of(const Ring& outline, const std::vector<Ring>& holes, std::vector<Note>* notes = nullptr);
 
-enum class FillRule { nonzero, evenodd };  // as SVG has them
+// The same for rings that may do anything, as in plans: what the outline encloses by the even-odd rule without what any hole
+// encloses, which may be several regions. Throws InputError where that is nothing. What makes no region as it is, and spikes
+// and holes without area that are left out, are told in `notes`.
+std::vector<geometry::Region> regions_of_polygon(const Ring& outline, const std::vector<Ring>& holes,
+                                                 std::vector<Note>* notes = nullptr);
 
-// The regions that rings fill, in the order of their outlines among the rings: as `region_of`, but any ring may lie in any
-// other, and rings without area are left out. Rings may not cross; they may touch in single points. One or more rings.
+using geometry::FillRule;
+
+// The regions that rings fill together, whatever they do, as SVG defines it; rings without area are left out. Where no rings
+// cross or touch but in single points, as `region_of`, in the order of their outlines among the rings. One or more rings.
+// Throws InputError where they fill nothing.
 std::vector<geometry::Region> filled_regions(const std::vector<Ring>& rings, FillRule rule);
+
+// Whether the ring has three or more points on the lattice that are not all on a line.
+bool has_area(const Ring& ring);
 
 // A polyline on the lattice, without repeated points. Throws InputError if fewer than two remain.
 std::vector<vec2> line_of(const Ring& line);

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <system_error>
 
 #include "scene/input_file.h"
 
@@ -56,6 +59,7 @@ class Candidates {
       }
     }
     if (own.empty() && !in_group.empty()) return in_group;
+    if (own.empty()) own = also_called(id);
     if (!own.empty() && of_one_feature(own)) return own;
     refuse_ids(fmt::format("{}, the id of {}", in_quotes(id), own.size()));
   }
@@ -66,6 +70,13 @@ class Candidates {
   }
 
  private:
+  std::vector<std::size_t> also_called(const std::string& name) const {
+    std::vector<std::size_t> found;
+    std::ranges::copy_if(shapes_, std::back_inserter(found),
+                         [&](std::size_t shape) { return holds(plan_.features[plan_.shapes[shape].feature].more_ids, name); });
+    return found;
+  }
+
   static std::string_view name_of(const Plan& plan, const std::vector<ShapeKind>& kinds) {
     if (kinds.size() > 1) return "shape";
     if (kinds.front() == ShapeKind::line) return "line";
@@ -135,17 +146,42 @@ std::vector<std::size_t> chosen_shapes(const Plan& plan, const std::vector<Shape
   return chosen;
 }
 
-Plan plan_of_file(const std::filesystem::path& file, const Place& place, double svg_scale) {
+namespace {
+
+// Of GeoJSON; those on the second line are in use for one feature a line (or record).
+constexpr std::array<std::string_view, 10> geojson_endings = {".geojson",   ".json",  //
+                                                              ".geojsonl",  ".geojsonld", ".geojsons", ".geojsonseq",
+                                                              ".ndgeojson", ".ndjson",    ".jsonl",    ".jsonlines"};
+
+enum class PlanFormat { geojson, svg };
+
+std::optional<PlanFormat> format_of_name(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  const bool svg = ending == ".svg";
-  if (!svg && ending != ".geojson" && ending != ".json") {
+  if (ending == ".svg") return PlanFormat::svg;
+  if (std::ranges::find(geojson_endings, ending) != geojson_endings.end()) return PlanFormat::geojson;
+  return std::nullopt;
+}
+
+// By what every text of XML begins with.
+PlanFormat format_of_text(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF\xFF\xFE");
+  return first != std::string_view::npos && text[first] == '<' ? PlanFormat::svg : PlanFormat::geojson;
+}
+
+}  // namespace
+
+Plan plan_of_file(const std::filesystem::path& file, const Place& place, double svg_scale) {
+  const std::optional<PlanFormat> named = format_of_name(file);
+  std::error_code error;
+  if (!named && !is_nameless(file) && !std::filesystem::is_fifo(file, error)) {
     throw InputError(place, "expected a file that ends in .geojson, .json or .svg, got " + in_quotes(file.filename().string()));
   }
   const std::string text = input_text(file, largest_outline_bytes, place);
   require_utf8(text, file.string());
-  return svg ? plan_of_svg(text, file.string(), svg_scale) : plan_of_geojson(text, file.string());
+  const PlanFormat format = named ? *named : format_of_text(text);
+  return format == PlanFormat::svg ? plan_of_svg(text, file.string(), svg_scale) : plan_of_geojson(text, file.string());
 }
 
 }  // namespace shatterpave::scene

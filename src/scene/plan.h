@@ -10,17 +10,50 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/notes.h"
+#include "core/vec.h"
 #include "scene/outline.h"
 
 namespace shatterpave::scene {
 
-enum class PlanUnits { degrees, metres, millimetres };
+// What one is in a plan's coordinates.
+struct PlanUnits {
+  enum class Kind { angle, length };
+  Kind kind = Kind::length;
+  double size = 1.0;  // of one, in degrees or metres
+  // The ellipsoid that angles are on; without another, that of WGS 84 (EPSG dataset, ellipsoid 7030).
+  double semi_major_axis_m = 6378137.0;
+  double flattening = 1.0 / 298.257223563;
+
+  static const PlanUnits degrees;
+  static const PlanUnits metres;
+  static const PlanUnits millimetres;
+  static const PlanUnits feet;            // international: 0.3048 m
+  static const PlanUnits us_survey_feet;  // 1200/3937 m
+};
+inline constexpr PlanUnits PlanUnits::degrees{Kind::angle};
+inline constexpr PlanUnits PlanUnits::metres{};
+inline constexpr PlanUnits PlanUnits::millimetres{Kind::length, 0.001};
+inline constexpr PlanUnits PlanUnits::feet{Kind::length, 0.3048};
+inline constexpr PlanUnits PlanUnits::us_survey_feet{Kind::length, 1200.0 / 3937.0};
+
+// How the axes of a plan's coordinates lie on the ground: x = east · p, y = north · p.
+struct PlanAxes {
+  vec2 east{1.0, 0.0};
+  vec2 north{0.0, 1.0};
+
+  vec2 operator()(vec2 p) const { return {east.x * p.x + east.y * p.y, north.x * p.x + north.y * p.y}; }
+};
+
+// Whether numbers of the one are numbers of the other, whatever the ellipsoid: datasets round units to 15 digits.
+bool alike(const PlanUnits& a, const PlanUnits& b);
 
 // What shapes are chosen by: a feature of GeoJSON, an element or a group of SVG.
 struct PlanFeature {
-  std::vector<std::string> ids;      // its id and other names of its own
-  std::vector<std::string> classes;  // in GeoJSON also `key=value` of each property
-  std::optional<std::size_t> group;  // the feature that holds it
+  std::vector<std::string> ids;       // its id and other names of its own
+  std::vector<std::string> more_ids;  // names that count where no shape has such an id: those in other languages
+  std::vector<std::string> classes;   // in GeoJSON also `key=value` of each property
+  std::optional<std::size_t> group;   // the feature that holds it
 };
 
 enum class ShapeKind { area, line, point };
@@ -30,23 +63,31 @@ struct PlanShape {
   std::vector<Ring> rings;          // in the plan's units. Area: its rings; line and point: one
   std::optional<FillRule> filling;  // by which the rings of an area fill it; without: outline first, then its holes
   std::size_t feature = 0;
+  std::optional<InputError> fault{};  // why the shape cannot be read; then it has no rings
 };
 
 struct Plan {
   std::string file;
   bool svg = false;
   std::optional<PlanUnits> units;  // if the file says so
+  std::optional<InputError>
+      no_units;   // if it says something else: why its coordinates mean nothing unless the scene gives units
+  PlanAxes axes;  // of the file; the shapes are east and north already
   std::vector<PlanFeature> features;
   std::vector<PlanShape> shapes;  // in their order in the file
+  std::vector<Note> notes;
 };
 
-// The plan of a file, which must end in .geojson, .json or .svg. `place` is that of the file's name in the scene; `svg_scale`
-// is the number of millimetres in the world for one on an SVG page. Throws InputError with the place in that file.
+// The plan of a file, which must end in .svg or one of the endings of GeoJSON, unless it is a pipe: then its first character
+// tells what it is. `place` is that of the file's name in the scene; `svg_scale` is the number of millimetres in the world for
+// one on an SVG page. Throws InputError with the place in that file.
 Plan plan_of_file(const std::filesystem::path& file, const Place& place, double svg_scale = 1.0);
 
-// GeoJSON (RFC 7946). Each polygon of a MultiPolygon is a shape, as is each line of a MultiLineString; they share a feature.
-// A feature goes by its `id` and its properties `id`, `@id` and `name`; by the words of its property `class`; and by
-// `key=value` of every property that is a text, a number or a boolean.
+// GeoJSON (RFC 7946; with the `crs` of 2008), one text or several: lines, or records (RFC 8142). Each polygon of a MultiPolygon
+// is a shape, as is each line of a MultiLineString; they share a feature. A feature goes by its `id` and its properties `id`,
+// `@id` and `name`, and by its names in other languages (`name:en`, `name: {"en": …}`, `names`); by the words of its property
+// `class`; and by `key=value` of every property that is a text, a number or a boolean. A shape of a collection that cannot be
+// read has a fault.
 Plan plan_of_geojson(std::string_view text, const std::string& file);
 
 // SVG 1.1 in millimetres, y up, the lower left corner of the page as the origin: path, polygon, polyline, rect, circle,
@@ -67,8 +108,9 @@ struct ShapeChoice {
 enum class ByDefault { the_only_feature, all };
 
 // The indices of the shapes chosen among those of the given kinds, in the order of the plan, each once. An index counts shapes
-// of these kinds; an id is that of one feature or else of a group; a class may stand at a shape or at any group about it.
-// Without a choice: all, or those of the only feature. Throws InputError, which lists the shapes, if a choice fits none.
+// of these kinds; an id is that of one feature or else of a group, or else a name in another language; a class may stand at a
+// shape or at any group about it. Without a choice: all, or those of the only feature. Throws InputError, which lists the
+// shapes, if a choice fits none.
 std::vector<std::size_t> chosen_shapes(const Plan& plan, const std::vector<ShapeKind>& kinds, const ShapeChoice& choice,
                                        ByDefault by_default);
 

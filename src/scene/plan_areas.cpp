@@ -7,6 +7,7 @@
 
 #include "core/functions.h"
 #include "geometry/clip.h"
+#include "geometry/fill.h"
 #include "geometry/lattice.h"
 #include "geometry/simple.h"
 
@@ -34,10 +35,11 @@ std::vector<Region> band(const Ring& ring, double width_mm) {
   std::vector<vec2> line = line_of(ring);
   // A line that returns to its start has no ends: once more over its first edge closes the band.
   if (line.size() > 3 && line.front() == line.back()) line.push_back(line[1]);
-  return geometry::thickened({line}, 0.5 * width_mm);
+  return geometry::without_faults(geometry::thickened({line}, 0.5 * width_mm));
 }
 
-std::vector<Region> regions_of_shape(const PlanShape& shape, const PlanFrame& frame, double width_mm) {
+std::vector<Region> regions_of_shape(const PlanShape& shape, const PlanFrame& frame, double width_mm,
+                                     std::vector<Note>* notes) {
   std::vector<Ring> rings;
   for (const Ring& ring : shape.rings) rings.push_back(frame(ring));
   if (shape.kind == ShapeKind::line) return band(rings.front(), width_mm);
@@ -45,7 +47,7 @@ std::vector<Region> regions_of_shape(const PlanShape& shape, const PlanFrame& fr
   if (shape.filling) return filled_regions(rings, *shape.filling);
   const Ring outline = std::move(rings.front());
   rings.erase(rings.begin());
-  return {region_of(outline, rings)};
+  return regions_of_polygon(outline, rings, notes);
 }
 
 std::vector<geometry::Box> boxes_of(const std::vector<Region>& regions) {
@@ -97,7 +99,7 @@ std::vector<Region> without_near(const Region& area, const std::vector<Region>& 
     for (const Region& hole : near) holes.push_back(hole.outline);
     if (!geometry::region_fault(area.outline, holes)) return {canonical({area.outline, std::move(holes)})};
   }
-  return geometry::difference(area, merged(near));
+  return geometry::without_faults(geometry::difference(area, merged(near)));
 }
 
 // The order of the region that holds a point of a part, part after part.
@@ -123,11 +125,16 @@ std::vector<std::size_t> by_first_part(const std::vector<Region>& regions, const
 }  // namespace
 
 std::vector<Region> regions_of(const Plan& plan, const std::vector<std::size_t>& shapes, const PlanFrame& frame,
-                               double width_mm) {
+                               double width_mm, std::vector<Note>* notes, std::vector<InputError>* left_out) {
   std::vector<Region> regions;
   for (const std::size_t shape : shapes) {
-    for (Region& region : regions_of_shape(plan.shapes[shape], frame, width_mm))
-      regions.push_back(canonical(std::move(region)));
+    try {
+      for (Region& region : regions_of_shape(plan.shapes[shape], frame, width_mm, notes))
+        regions.push_back(canonical(std::move(region)));
+    } catch (const InputError& error) {
+      if (left_out == nullptr) throw;
+      left_out->push_back(error);
+    }
   }
   return regions;
 }
@@ -140,7 +147,7 @@ std::vector<Region> merged(const std::vector<Region>& regions) {
   std::vector<Region> sorted;
   sorted.reserve(regions.size());
   for (const std::size_t i : from_left) sorted.push_back(regions[i]);
-  std::vector<Region> all = united_by_halves(std::move(sorted));
+  std::vector<Region> all = geometry::without_faults(united_by_halves(std::move(sorted)));
   for (Region& region : all) region = canonical(std::move(region));
   std::vector<Region> result;
   for (const std::size_t i : by_first_part(all, regions)) result.push_back(std::move(all[i]));
@@ -158,7 +165,7 @@ std::vector<Region> within(const std::vector<Region>& areas, const std::vector<R
   std::vector<Region> parts;
   for (const Region& area : areas) {
     for (const Region& limit : near_ones(area, limits, boxes)) {
-      for (const Region& part : geometry::intersection(area, limit)) parts.push_back(canonical(part));
+      for (const Region& part : geometry::without_faults(geometry::intersection(area, limit))) parts.push_back(canonical(part));
     }
   }
   return parts;

@@ -1,6 +1,7 @@
 #include "scene/plan_section.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limits>
 
@@ -39,9 +40,11 @@ ShapeChoice choice_of(const TomlTable& table, const PlanKeys& keys) {
 }
 
 std::optional<PlanUnits> units_asked(const TomlTable& table, const Plan& plan) {
-  const auto units = table.choice("outline_units", {"degrees", "metres", "millimetres"});
-  if (!units || plan.svg) return std::nullopt;
-  return static_cast<PlanUnits>(*units);
+  constexpr std::array units = {PlanUnits::degrees, PlanUnits::metres, PlanUnits::millimetres, PlanUnits::feet,
+                                PlanUnits::us_survey_feet};
+  const auto chosen = table.choice("outline_units", {"degrees", "metres", "millimetres", "feet", "us_survey_feet"});
+  if (!chosen || plan.svg) return std::nullopt;
+  return units.at(*chosen);
 }
 
 // Areas, and with a width lines and points too.
@@ -63,7 +66,7 @@ bool has_any(const TomlTable& table, const PlanKeys& keys) {
 
 }  // namespace
 
-Plans::Plans(const TomlTable& root) {
+Plans::Plans(const TomlTable& root, std::vector<Note>& notes) : notes_(notes) {
   const auto table = root.table("plan", {"origin", "svg_scale"});
   if (!table) return;
   constexpr double most = std::numeric_limits<double>::max();
@@ -75,17 +78,119 @@ const Plan& Plans::plan(const TomlTable& table, std::string_view file_key) {
   const Place place = table.place(file_key);
   const std::string name = *table.text(file_key);
   if (name.empty() || std::ranges::find(name, '\0') != name.end()) refuse(place, "the name of a file", in_quotes(name));
-  const std::filesystem::path path = std::filesystem::path(table.file()).parent_path() / name;
+  if (name == "-" && table.file() == "-") refuse(place, "a file beside the scene, which is the standard input", "\"-\" too");
+  const std::filesystem::path folder =
+      is_nameless(table.file()) ? std::filesystem::path() : std::filesystem::path(table.file()).parent_path();
+  const std::filesystem::path path = name == "-" ? std::filesystem::path(name) : folder / name;
   const auto found = plans_.find(path.string());
   if (found != plans_.end()) return found->second;
-  return plans_.emplace(path.string(), plan_of_file(path, place, svg_scale_)).first->second;
+  const Plan& plan = plans_.emplace(path.string(), plan_of_file(path, place, svg_scale_)).first->second;
+  for (const Note& note : plan.notes) add_note(note, notes_);
+  return plan;
 }
 
-const PlanFrame& Plans::frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units) {
-  const std::size_t index = plan.svg ? frames_.size() - 1 : static_cast<std::size_t>(units.value_or(units_of(plan)));
-  if (!frames_[index]) frames_[index] = frame_of(plan, shapes, units, origin_);
-  return *frames_[index];
+PlanFrame Plans::frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units) {
+  const PlanUnits used = units ? *units : units_of(plan);
+  const auto shared = std::ranges::find_if(
+      frames_, [&](const SharedFrame& frame) { return frame.svg == plan.svg && (plan.svg || alike(frame.units, used)); });
+  if (shared != frames_.end()) return shared->frame;
+  frames_.push_back(
+      {plan.svg, used, frame_of(plan, shapes, units, origin_ ? std::optional(plan.axes(*origin_)) : std::nullopt)});
+  return frames_.back().frame;
 }
+
+namespace {
+
+// Shapes of a plan as a scene asks for them. What it calls by name must be sound. Of a class, or of all there are, a shape that
+// is not is left out and told; that one at least is sound is asked for of each.
+class Taken {
+ public:
+  Taken(const Plan& plan, const std::vector<ShapeKind>& kinds, const ShapeChoice& choice, ByDefault by_default,
+        const std::optional<PlanUnits>& units, Plans& plans)
+      : plan_(plan),
+        notes_(plans.notes()),
+        by_name_(!choice.class_name && (!choice.shapes.empty() || by_default == ByDefault::the_only_feature)),
+        shapes_(chosen_shapes(plan, kinds, choice, by_default)) {
+    drop_unsound(units ? *units : units_of(plan));
+    frame_ = plans.frame(plan, shapes_, units);
+  }
+
+  const PlanFrame& frame() const { return frame_; }
+
+  std::vector<geometry::Region> regions(double width_mm) const {
+    std::vector<InputError> left_out;
+    std::vector<geometry::Region> regions =
+        regions_of(plan_, shapes_, frame_, width_mm, &notes_, by_name_ ? nullptr : &left_out);
+    if (regions.empty() && !left_out.empty()) throw InputError(left_out.front());
+    for (const InputError& error : left_out) tell(error);
+    return regions;
+  }
+
+  std::vector<std::vector<vec2>> lines() const {
+    std::vector<InputError> left_out;
+    std::vector<std::vector<vec2>> lines;
+    for (const std::size_t shape : shapes_) {
+      try {
+        lines.push_back(line_of(frame_(plan_.shapes[shape].rings.front())));
+      } catch (const InputError& error) {
+        if (by_name_) throw;
+        left_out.push_back(error);
+      }
+    }
+    if (lines.empty() && !left_out.empty()) throw InputError(left_out.front());
+    for (const InputError& error : left_out) tell(error);
+    return lines;
+  }
+
+ private:
+  void drop_unsound(const PlanUnits& units) {
+    std::vector<InputError> left_out;
+    std::vector<std::size_t> sound;
+    for (const std::size_t shape : shapes_) {
+      if (const auto fault = fault_of(plan_.shapes[shape], units)) {
+        left_out.push_back(*fault);
+      } else {
+        sound.push_back(shape);
+      }
+    }
+    if (!left_out.empty() && (by_name_ || sound.empty())) throw InputError(left_out.front());
+    shapes_ = std::move(sound);
+    for (const InputError& error : left_out) tell(error);
+  }
+
+  // An error's line, "file:3:1: key: expected …", as a note at the same place.
+  void tell(const InputError& error) const {
+    std::string_view line = error.what();
+    Place place{plan_.file, 0, 0, ""};
+    const auto number = [&line] {
+      int value = 0;
+      while (!line.empty() && line.front() >= '0' && line.front() <= '9') {
+        value = 10 * value + (line.front() - '0');
+        line.remove_prefix(1);
+      }
+      return value;
+    };
+    if (line.starts_with(plan_.file)) line.remove_prefix(plan_.file.size());
+    if (line.starts_with(':') && !line.starts_with(": ")) {
+      line.remove_prefix(1);
+      place.line = number();
+      line.remove_prefix(std::min<std::size_t>(1, line.size()));
+      place.column = number();
+    }
+    if (line.starts_with(": ")) line.remove_prefix(2);
+    const std::size_t expected = std::min(line.find("expected "), line.size());
+    if (expected >= 2) place.key = line.substr(0, expected - 2);
+    add_note({place, "left out: " + std::string(line.substr(expected))}, notes_);
+  }
+
+  const Plan& plan_;
+  std::vector<Note>& notes_;
+  bool by_name_;
+  std::vector<std::size_t> shapes_;
+  PlanFrame frame_;
+};
+
+}  // namespace
 
 std::vector<geometry::Region> outlines_of_plan(const TomlTable& table, Plans& plans) {
   const Plan& plan = plans.plan(table, outline_keys.file);
@@ -93,14 +198,14 @@ std::vector<geometry::Region> outlines_of_plan(const TomlTable& table, Plans& pl
     refuse(table.place("outline_units"), "no such key for SVG, which has its own units", "it");
   }
   const auto width = table.number(outline_keys.width, width_range);
-  const auto shapes = chosen_shapes(plan, kinds_of(width), choice_of(table, outline_keys), ByDefault::the_only_feature);
-  const PlanFrame& frame = plans.frame(plan, shapes, units_asked(table, plan));
-  std::vector<geometry::Region> areas = merged(regions_of(plan, shapes, frame, width.value_or(0.0)));
+  const auto units = units_asked(table, plan);
+  const Taken taken(plan, kinds_of(width), choice_of(table, outline_keys), ByDefault::the_only_feature, units, plans);
+  std::vector<geometry::Region> areas = merged(taken.regions(width.value_or(0.0)));
   if (areas.empty()) refuse(table.place(outline_keys.file), "an outline with an area", "none");
   const ShapeChoice limits = choice_of(table, within_keys);
   if (limits.shapes.empty() && !limits.class_name) return areas;
-  const auto limit_shapes = chosen_shapes(plan, kinds_of(std::nullopt), limits, ByDefault::all);
-  areas = within(areas, merged(regions_of(plan, limit_shapes, frame, 0.0)));
+  const Taken limit(plan, kinds_of(std::nullopt), limits, ByDefault::all, units, plans);
+  areas = within(areas, merged(limit.regions(0.0)));
   if (areas.empty()) refuse(limits.place, "areas that the outline lies in", "none that it meets");
   return areas;
 }
@@ -113,9 +218,8 @@ std::vector<geometry::Region> without_holes_of_plan(const TomlTable& table, Plan
   const Plan& plan = plan_of(table, hole_keys.file, table, plans);
   const auto width = table.number(hole_keys.width, width_range);
   const ShapeChoice choice = choice_of(table, hole_keys);
-  const auto shapes = chosen_shapes(plan, kinds_of(width), choice, ByDefault::all);
-  const PlanFrame& frame = plans.frame(plan, shapes, units_asked(table, plan));
-  std::vector<geometry::Region> left = without(areas, regions_of(plan, shapes, frame, width.value_or(0.0)));
+  const Taken taken(plan, kinds_of(width), choice, ByDefault::all, units_asked(table, plan), plans);
+  std::vector<geometry::Region> left = without(areas, taken.regions(width.value_or(0.0)));
   if (left.empty()) refuse(choice.place, "holes that leave something of the area", "none left");
   if (!choice.shapes.empty() && left == areas) refuse(choice.place, "a hole in the area", "none that meets it");
   return left;
@@ -125,12 +229,8 @@ bool has_guides_of_plan(const TomlTable& direction) { return has_any(direction, 
 
 std::vector<std::vector<vec2>> guides_of_plan(const TomlTable& direction, const TomlTable& pavement, Plans& plans) {
   const Plan& plan = plan_of(direction, guide_keys.file, pavement, plans);
-  const auto shapes = chosen_shapes(plan, {ShapeKind::line}, choice_of(direction, guide_keys), ByDefault::all);
-  const PlanFrame& frame = plans.frame(plan, shapes, units_asked(pavement, plan));
-  std::vector<std::vector<vec2>> guides;
-  guides.reserve(shapes.size());
-  for (const std::size_t shape : shapes) guides.push_back(line_of(frame(plan.shapes[shape].rings.front())));
-  return guides;
+  return Taken(plan, {ShapeKind::line}, choice_of(direction, guide_keys), ByDefault::all, units_asked(pavement, plan), plans)
+      .lines();
 }
 
 }  // namespace shatterpave::scene

@@ -48,8 +48,9 @@ toml::table parsed(std::string_view text, const std::string& file) {
   }
 }
 
-// The stem of the file, which names the files that are written.
+// The stem of the file, which names the files that are written; of what a shell hands over, "scene".
 std::string scene_name(const std::filesystem::path& file) {
+  if (is_nameless(file)) return "scene";
   std::string name = file.stem().string();
   const bool plain = !name.empty() && std::ranges::all_of(name, [](char c) {
     return static_cast<unsigned char>(c) >= 0x20 && c != 0x7F && c != '"' && c != '\\';
@@ -89,7 +90,7 @@ Scene scene_of_table(const toml::table& table, const std::filesystem::path& file
   scene.name = scene_name(file);
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
   scene.seed = static_cast<std::uint64_t>(root.whole_number("seed", 0, most).value_or(1));
-  Plans plans(root);
+  Plans plans(root, scene.notes);
   Names names;
   scene.panes = panes_of(root, plans, names);
   scene.pavements = pavements_of(root, plans, names);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/notes.h"
 #include "glass/pane.h"
 #include "paving/pavement.h"
 
@@ -25,6 +26,7 @@ struct Scene {
   std::vector<glass::Pane> panes;
   std::vector<paving::Pavement> pavements;
   Still still;
+  std::vector<Note> notes;  // what was read otherwise than it was written, or has no effect; each once
 
   bool operator==(const Scene&) const = default;
 };

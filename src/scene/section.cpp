@@ -74,11 +74,12 @@ std::vector<geometry::Region> outlines_of(const TomlTable& table, Plans& plans, 
   if (key == "outline_file") return outlines_of_plan(table, plans);
   if (key == "outline_mm") {
     PlacedPoints outline = *table.points("outline_mm", coordinate_range);
-    return {region_of({std::move(outline.points), std::move(outline.place)}, holes_of(table))};
+    return {region_of({std::move(outline.points), std::move(outline.place)}, holes_of(table), &plans.notes())};
   }
   const auto size = table.point("size_mm", {0.0, geometry::largest_coordinate_mm, true});
   if (!size && !default_size_mm) refuse(table.place("outline_mm"), "size_mm, outline_mm or outline_file", "none of them");
-  return {region_of(rectangle(size.value_or(default_size_mm.value_or(vec2{})), table.place("size_mm")), holes_of(table))};
+  return {region_of(rectangle(size.value_or(default_size_mm.value_or(vec2{})), table.place("size_mm")), holes_of(table),
+                    &plans.notes())};
 }
 
 }  // namespace shatterpave::scene

@@ -1,7 +1,10 @@
 // Any bytes become a Scene or an InputError of one line: never another exception, a crash or a hang. The cases are mutations of
 // valid files, drawn by address, so that a failure can be repeated.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -178,10 +181,54 @@ TEST(Fuzz, GeoJsonRegionsOrInputErrors) {
   const std::string utm =
       R"({"crs":{"properties":{"name":"EPSG:25833"}},"type":"MultiPolygon","coordinates":[[[[391000,5812000],)"
       R"([391010,5812000],[391010,5812020]]]]})";
-  const Ends ends = fuzzed({polygon, R"({"type":"FeatureCollection","features":[)" + feature + "]}", utm}, "geojson", 6000,
-                           [](const std::string& text) { first_areas(plan_of_geojson(text, "a.geojson")); });
+  const std::string records =
+      "\x1E" + feature + "\n\x1E" + R"({"type":"Feature","properties":{"name":{"en":"a"}},"geometry":null})" + "\n";
+  const Ends ends = fuzzed({polygon, R"({"type":"FeatureCollection","features":[)" + feature + "]}", utm, records}, "geojson",
+                           6000, [](const std::string& text) { first_areas(plan_of_geojson(text, "a.geojson")); });
   EXPECT_GT(ends.values, 300);
   EXPECT_GT(ends.errors, 1000);
+}
+
+TEST(Fuzz, ReferenceSystemsOrInputErrors) {
+  const std::vector<std::string> names = {
+      "urn:ogc:def:crs:EPSG::25833",
+      "http://www.opengis.net/def/crs/EPSG/0/4326",
+      "EPSG:4326+5773",
+      "WGS 84 / UTM zone 33N",
+      "+proj=utm +zone=33 +datum=WGS84 +units=us-ft",
+      R"(GEOGCS[\"x\",DATUM[\"x\",SPHEROID[\"x\",6378137,298.25]],PRIMEM[\"x\",0],UNIT[\"degree\",0.0174532925199433]])"};
+  std::vector<std::string> seeds;
+  for (const std::string& name : names) {
+    seeds.push_back(R"({"type":"Polygon","crs":{"properties":{"name":")" + name +
+                    R"("}},"coordinates":[[[1,1],[1.001,1],[1.001,1.001]]]})");
+  }
+  const Ends ends = fuzzed(seeds, "crs", 600, [](const std::string& text) { first_areas(plan_of_geojson(text, "a.geojson")); });
+  EXPECT_GT(ends.values, 50);
+  EXPECT_GT(ends.errors, 100);
+}
+
+TEST(Fuzz, ScenesWithPlansOrInputErrors) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("shatterpave_fuzz_plans_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const auto feature = [](const std::string& id, const std::string& geometry) {
+    return R"({"type":"Feature","id":")" + id + R"(","properties":{"class":"a"},"geometry":)" + geometry + "}";
+  };
+  const std::string seed =
+      R"({"type":"FeatureCollection","features":[)" + feature("p", polygon) + "," +
+      feature("q", R"({"type":"LineString","coordinates":[[13.44,52.473],[13.441,52.474]]})") + "," +
+      feature("r", R"({"type":"Polygon","coordinates":[[[13.45,52.473],[13.451,52.474],[13.451,52.473],[13.45,52.474]]]})") +
+      "]}";
+  const Ends ends = fuzzed({seed}, "plans", 2000, [&](const std::string& text) {
+    std::ofstream(folder / "a.geojson", std::ios::binary) << text;
+    scene_of_text(
+        "[[pavement]]\nname = \"p\"\nstone_mm = [900, 900]\noutline_file = \"a.geojson\"\noutline_class = \"a\"\n"
+        "direction = {kind = \"guides\", guides_class = \"a\"}\n",
+        folder / "s.toml");
+  });
+  std::filesystem::remove_all(folder);
+  EXPECT_GT(ends.values, 50);  // most changes of a digit move a corner by kilometres
+  EXPECT_GT(ends.errors, 300);
 }
 
 TEST(Fuzz, SvgRegionsOrInputErrors) {

@@ -41,6 +41,7 @@ expect 0 src/glass/growth.cpp 'const unsigned processors = std::thread::hardware
 expect 1 src/glass/growth.cpp 'std::thread worker(grow);'
 expect 1 src/glass/growth.cpp '#include <tbb/parallel_for.h>'
 expect 1 src/glass/growth.cpp '#include <OpenImageIO/imageio.h>'
+expect 1 src/glass/growth.cpp '#include <proj.h>'
 expect 1 src/glass/growth.cpp 'const double x = std::sin(angle);'
 expect 1 src/glass/growth.cpp 'return 2 * pow(a, b);'
 expect 1 src/glass/growth.cpp 'std::normal_distribution<double> law;'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The command starts without OpenImageIO, whose libraries take longer to load than most jobs to do, and finds the program that
-# has them wherever it is called from.
+# The command starts without OpenImageIO and PROJ, whose libraries take longer to load than most jobs to do, and finds the program
+# that has the former wherever it is called from.
 set -euo pipefail
 build=$1
 scratch=$(mktemp -d)
@@ -10,6 +10,7 @@ fail() { printf '%s\n' "$*"; exit 1; }
 
 ldd "$build/shatterpave" >"$scratch/loaded"
 ! grep OpenImageIO "$scratch/loaded" || fail "shatterpave loads OpenImageIO"
+! grep libproj "$scratch/loaded" || fail "shatterpave loads PROJ"
 ldd "$build/shatterpave-rasters" >"$scratch/loaded"
 grep -q OpenImageIO "$scratch/loaded" || fail "shatterpave-rasters does not load OpenImageIO: it cannot write rasters"
 

@@ -403,15 +403,22 @@ std::vector<Region> regions_of_polygon(const Ring& outline, const std::vector<Ri
   return regions;
 }
 
-std::vector<Region> filled_regions(const std::vector<Ring>& given, FillRule rule) {
+std::vector<Region> drawn_regions(const std::vector<Ring>& given, FillRule rule) {
+  if (given.empty()) return {};
   limit_rings(given, 0, given.front().place);
   const std::vector<FilledRing> rings = rings_with_area(given);
-  if (rings.empty()) clean_ring_with_area(given.front());  // says what is wrong with it
+  if (rings.empty()) return {};
   const auto containers = containers_of(rings);
   std::vector<Region> regions = containers ? nested_regions(rings, *containers, rule) : filled_anew(rings, rule);
-  if (regions.empty()) throw InputError(given.front().place, "expected subpaths that fill an area, got such that fill none");
   for (Region& region : regions) region = canonical(std::move(region));
   return regions;
+}
+
+std::vector<Region> filled_regions(const std::vector<Ring>& rings, FillRule rule) {
+  std::vector<Region> regions = drawn_regions(rings, rule);
+  if (!regions.empty()) return regions;
+  if (std::ranges::none_of(rings, has_area)) clean_ring_with_area(rings.front());  // says what is wrong with it
+  throw InputError(rings.front().place, "expected subpaths that fill an area, got such that fill none");
 }
 
 bool has_area(const Ring& ring) { return clean_ring(ring).points.size() >= 3; }

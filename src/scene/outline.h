@@ -43,6 +43,9 @@ using geometry::FillRule;
 // Throws InputError where they fill nothing.
 std::vector<geometry::Region> filled_regions(const std::vector<Ring>& rings, FillRule rule);
 
+// The same, and nothing where they fill nothing.
+std::vector<geometry::Region> drawn_regions(const std::vector<Ring>& rings, FillRule rule);
+
 // Whether the ring has three or more points on the lattice that are not all on a line.
 bool has_area(const Ring& ring);
 

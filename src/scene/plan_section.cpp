@@ -61,6 +61,19 @@ bool has_any(const TomlTable& table, const PlanKeys& keys) {
   return table.has(keys.file) || table.has(keys.feature) || table.has(keys.class_name);
 }
 
+// A clip path that leaves the whole line is no matter.
+std::vector<vec2> guide_of(const PlanShape& shape, const PlanFrame& frame) {
+  const Ring& ring = shape.rings.front();
+  std::vector<vec2> line = line_of(frame(ring));
+  for (const auto& clip : shape.clips) {
+    const bool inside = std::ranges::all_of(line, [&](vec2 p) {
+      return std::ranges::any_of(*clip, [&](const geometry::Region& region) { return geometry::contains(region, p); });
+    });
+    if (!inside) throw InputError(ring.place, "expected a guide that no clip path or viewport cuts, got one that is cut");
+  }
+  return line;
+}
+
 }  // namespace
 
 Plans::Plans(const TomlTable& root, std::vector<Note>& notes) : notes_(notes) {
@@ -78,7 +91,9 @@ const Plan& Plans::plan(const TomlTable& table, std::string_view file_key) {
   const std::filesystem::path path = std::filesystem::path(table.file()).parent_path() / name;
   const auto found = plans_.find(path.string());
   if (found != plans_.end()) return found->second;
-  return plans_.emplace(path.string(), plan_of_file(path, place, svg_scale_)).first->second;
+  const Plan& plan = plans_.emplace(path.string(), plan_of_file(path, place, svg_scale_)).first->second;
+  for (const Note& note : plan.notes) add_note(note, notes_);
+  return plan;
 }
 
 const PlanFrame& Plans::frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units) {
@@ -129,7 +144,7 @@ std::vector<std::vector<vec2>> guides_of_plan(const TomlTable& direction, const 
   const PlanFrame& frame = plans.frame(plan, shapes, units_asked(pavement, plan));
   std::vector<std::vector<vec2>> guides;
   guides.reserve(shapes.size());
-  for (const std::size_t shape : shapes) guides.push_back(line_of(frame(plan.shapes[shape].rings.front())));
+  for (const std::size_t shape : shapes) guides.push_back(guide_of(plan.shapes[shape], frame));
   return guides;
 }
 

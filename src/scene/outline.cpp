@@ -331,6 +331,15 @@ bool as_large_as(const PolygonRings& rings, const std::vector<Region>& regions) 
   return std::abs(filled - area) <= round / geometry::lattice_per_mm;
 }
 
+// Whether each vertex of the rings is on the border of the region, but for what the lattice rounds: so no corner was cut off.
+bool keeps_vertices(const PolygonRings& rings, const Region& region) {
+  constexpr double rounded_mm = 2.0 / geometry::lattice_per_mm;
+  const geometry::RegionIndex index(region);
+  return std::ranges::all_of(rings.all, [&](const CleanRing& ring) {
+    return std::ranges::all_of(ring.points, [&](vec2 vertex) { return index.border_within(vertex, rounded_mm); });
+  });
+}
+
 const Place& fault_place(const RegionFault& fault, const Ring& outline, const std::vector<Ring>& holes) {
   const std::size_t ring = std::max(fault.a.ring, fault.b.ring);
   return ring == 0 ? outline.place : holes[ring - 1].place;
@@ -381,7 +390,7 @@ Region region_of(const Ring& outline, const std::vector<Ring>& holes, std::vecto
   std::vector<Region> regions = repaired(rings, outline.place);
   const Place& place = fault_place(*fault, outline, holes);
   const FaultText text = fault_text(*fault, rings.all);
-  if (regions.size() != 1 || !as_large_as(rings, regions)) {
+  if (regions.size() != 1 || !as_large_as(rings, regions) || !keeps_vertices(rings, regions.front())) {
     throw InputError(place, fmt::format("expected {}, got {}", text.expected, text.got));
   }
   tell_repair(text, regions, place, notes);

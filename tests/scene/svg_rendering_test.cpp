@@ -1,4 +1,8 @@
 // Plans mean what a drawing program shows: areas as they are read beside the same SVG drawn by rsvg-convert.
+//
+// rsvg-convert 2.54 itself departs from SVG 1.1 in five things, which are left out here and tested by value in svg_test.cpp:
+// children of a clip path that overlap (it adds up their windings), clip paths of clip paths, clip paths in units of the box of
+// an element that is turned, width and height of a `use` of an `svg`, and overflow of a symbol.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -173,7 +177,8 @@ TEST_F(SvgRendering, WhatIsDrawnByHand) {
       page(R"x(<clipPath id="r"><rect width="200" height="150"/></clipPath>)x" + frame, R"x(clip-path="url(#r)")x"),
       page("<style>.star{fill-rule:evenodd}</style>" + star),
       page("<style>path{fill-rule:nonzero} path.star{fill-rule:evenodd} .star{fill-rule:nonzero}</style>" + star),
-      page("<style>.star{fill-rule:evenodd !important}</style>" + R"x(<g style="fill-rule:nonzero">)x" + star + "</g>"),
+      page(std::string("<style>.star{fill-rule:evenodd !important}</style>") + R"x(<g style="fill-rule:nonzero">)x" + star +
+           "</g>"),
       page(
           R"x(<style><![CDATA[ g > .star, .none { fill-rule : evenodd } ]]></style><style type="text/css">.star{}</style><g>)x" +
           star + "</g>"),
@@ -200,19 +205,10 @@ TEST_F(SvgRendering, WhatIsDrawnByHand) {
       page(circle + clipped),
       page(boxed + clipped),
       page(boxed + R"x(<g clip-path="url(#c)"><rect width="30" height="50"/><circle cx="60" cy="60" r="30"/></g>)x"),
-      page(boxed + R"x(<rect transform="rotate(20)" x="20" width="50" height="60" clip-path="url(#c)"/>)x"),
       page(R"x(<clipPath id="c" transform="translate(20)"><path clip-rule="evenodd" d="M10 10H60V60H10Z M20 20H50V50H20Z"/>)x"
            R"x(</clipPath><rect width="100" height="100" style="clip-path:url('#c')"/>)x"),
       page(R"x(<g clip-rule="evenodd"><clipPath id="c"><path d="M10 10H60V60H10Z M20 20H50V50H20Z"/></clipPath></g>)x" +
            clipped),
-      page(
-          R"x(<clipPath id="d"><rect width="50" height="100"/></clipPath><clipPath id="c" clip-path="url(#d)"><circle cx="50" )x"
-          R"x(cy="50" r="30"/></clipPath>)x" +
-          clipped),
-      page(
-          R"x(<clipPath id="d"><rect width="50" height="100"/></clipPath><clipPath id="c"><circle clip-path="url(#d)" cx="50" )x"
-          R"x(cy="50" r="30"/><rect x="70" width="20" height="100"/></clipPath>)x" +
-          clipped),
       page(
           R"x(<defs><circle id="o" cx="30" cy="50" r="20"/></defs><clipPath id="c"><use xlink:href="#o" x="10"/></clipPath>)x" +
           clipped),
@@ -229,10 +225,6 @@ TEST_F(SvgRendering, WhatIsDrawnByHand) {
            "</svg>"),
       page(R"x(<svg x="20" y="10" width="40" height="30" viewBox="0 0 20 20" preserveAspectRatio="none">)x" + inner + "</svg>"),
       page(R"x(<svg width="50%" height="50%"><svg x="25%" width="100%" height="50%">)x" + frame + "</svg></svg>"),
-      page(R"x(<defs><svg id="s" width="10" height="10" viewBox="0 0 20 20">)x" + inner +
-           R"x(</svg></defs><use xlink:href="#s" x="5" y="5" width="60" height="40"/>)x"),
-      page(R"x(<defs><svg id="s" x="20" width="10" height="10" viewBox="0 0 20 20">)x" + inner +
-           R"x(</svg></defs><use href="#s" x="5" y="5" width="60"/>)x"),
       page(R"x(<symbol id="s" viewBox="0 0 20 20"><circle cx="10" cy="10" r="9"/></symbol><use xlink:href="#s" x="5" y="5" )x"
            R"x(width="60" height="40"/>)x"),
       page(R"x(<g display="none">)x" + frame + "</g>" + star),
@@ -273,6 +265,7 @@ class Drawer {
   std::string document() {
     std::string body;
     std::string sheet;
+    boxed_ = one_in(4);
     for (const char* name : {".a", ".b", "path", "#k1", "g .a", "g > path", "*", ".a.b", "g path.b"}) {
       if (one_in(2)) continue;
       sheet += std::string(name) + "{" + pick({"fill-rule:evenodd", "fill-rule:nonzero", "fill-rule:evenodd!important"}) +
@@ -282,7 +275,7 @@ class Drawer {
     for (const char* id : {"c0", "c1"}) body += clip_path(id);
     const int count = 1 + number(3);
     for (int i = 0; i < count; ++i) body += element(0);
-    return page(body, one_in(2) ? R"x(fill-rule="evenodd")" : one_in(4) ? R"(style="fill-rule:evenodd")" : "");
+    return page(body, one_in(2) ? "fill-rule=\"evenodd\"" : one_in(4) ? "style=\"fill-rule:evenodd\"" : "");
   }
 
  private:
@@ -302,81 +295,82 @@ class Drawer {
     if (one_in(5)) text += " style=\"fill-rule: " + pick({"evenodd", "nonzero", "foo"}) + "; stroke:none\"";
     if (one_in(5)) text += " clip-path=\"url(#c" + std::to_string(number(2)) + ")\"";
     if (one_in(5))
-      text += " transform=\"" + pick({"translate(5 -4)x", "rotate(15 50 50)", "matrix(.9 .1 -.1 .8 5 5)", "scale(.7)"
-  }) + "\"";
-  if (one_in(20)) text += " " + pick({"display=\"none\"", "visibility=\"hidden\"", "opacity=\"0\""});
-  return text;
-}
+      text += " transform=\"" +
+              pick(boxed_ ? std::vector<std::string>{"translate(5 -4)", "scale(.7 .8)"}
+                          : std::vector<std::string>{"translate(5 -4)", "rotate(15 50 50)", "matrix(.9 .1 -.1 .8 5 5)",
+                                                     "scale(.7)"}) +
+              "\"";
+    if (one_in(20)) text += " " + pick({"display=\"none\"", "visibility=\"hidden\"", "opacity=\"0\""});
+    return text;
+  }
 
-std::string
-path_data() {
-  std::string d;
-  const int subpaths = 1 + number(3);
-  for (int s = 0; s < subpaths; ++s) {
-    d += "M" + at();
-    const int steps = 2 + number(5);
-    for (int i = 0; i < steps; ++i) {
-      const int kind = number(6);
-      if (kind < 3) d += "L" + at();
-      if (kind == 3) d += "C" + at() + " " + at() + " " + at();
-      if (kind == 4) d += "Q" + at() + " " + at();
-      if (kind == 5)
-        d += "A" + between(10, 40) + " " + between(10, 40) + " 0 " + pick({"0", "1"}) + pick({" 0 ", " 1 "}) + at();
+  std::string path_data() {
+    std::string d;
+    const int subpaths = 1 + number(3);
+    for (int s = 0; s < subpaths; ++s) {
+      d += "M" + at();
+      const int steps = 2 + number(5);
+      for (int i = 0; i < steps; ++i) {
+        const int kind = number(6);
+        if (kind < 3) d += "L" + at();
+        if (kind == 3) d += "C" + at() + " " + at() + " " + at();
+        if (kind == 4) d += "Q" + at() + " " + at();
+        if (kind == 5)
+          d += "A" + between(10, 40) + " " + between(10, 40) + " 0 " + pick({"0", "1"}) + pick({" 0 ", " 1 "}) + at();
+      }
+      if (!one_in(3)) d += "Z";
     }
-    if (!one_in(3)) d += "Z";
+    return d;
   }
-  return d;
-}
 
-std::string shape() {
-  switch (number(6)) {
-    case 0:
-      return "<rect x=\"" + between(5, 50) + "\" y=\"" + between(5, 50) + "\" width=\"" + between(10, 45) + "\" height=\"" +
-             between(10, 45) + "\"" + (one_in(2) ? " rx=\"6\"" : "") + attributes() + "/>";
-    case 1:
-      return "<ellipse cx=\"" + between(30, 70) + "\" cy=\"" + between(30, 70) + "\" rx=\"" + between(5, 30) + "\" ry=\"" +
-             between(5, 30) + "\"" + attributes() + "/>";
-    case 2:
-      return "<" + pick({"polygon", "polyline"}) + " points=\"" + at() + " " + at() + " " + at() + " " + at() + " " + at() +
-             "\"" + attributes() + "/>";
-    default:
-      return "<path d=\"" + path_data() + "\"" + attributes() + "/>";
-  }
-}
-
-std::string clip_path(const std::string& id) {
-  if (one_in(3)) {
-    return "<clipPath id=\"" + id +
-           "\" clipPathUnits=\"objectBoundingBox\"><ellipse cx=\".5\" cy=\".4\" rx=\".5\" ry=\".35\"/></clipPath>";
-  }
-  return "<clipPath id=\"" + id + "\"" + (one_in(3) ? " transform=\"rotate(10)\"" : "") + "><path clip-rule=\"" +
-         pick({"evenodd", "nonzero"}) + "\" d=\"" + path_data() + "\"/><circle cx=\"50\" cy=\"50\" r=\"25\"/></clipPath>";
-}
-
-std::string element(int depth) {
-  if (depth > 2 || !one_in(3)) return shape();
-  const std::string content = element(depth + 1) + (one_in(2) ? element(depth + 1) : "");
-  switch (number(4)) {
-    case 0:
-      return "<svg x=\"" + between(0, 20) + "\" y=\"" + between(0, 20) + "\" width=\"" + between(40, 70) + "\" height=\"" +
-             between(40, 70) + "\"" + (one_in(2) ? " viewBox=\"10 0 80 90\"" : "") +
-             (one_in(2) ? " preserveAspectRatio=\"" + pick({"none", "xMinYMax", "xMaxYMin slice", "xMidYMid slice"}) + "\""
-                        : "") +
-             (one_in(4) ? " overflow=\"visible\"" : "") + ">" + content + "</svg>";
-    case 1: {
-      const std::string id = "u" + std::to_string(++uses_);
-      return "<defs><svg id=\"" + id + "\" width=\"40\" height=\"30\" viewBox=\"0 0 100 100\">" + content +
-             "</svg></defs><use xlink:href=\"#" + id + "\" x=\"" + between(0, 20) + "\"" +
-             (one_in(2) ? " width=\"" + between(40, 70) + "\"" : "") +
-             (one_in(2) ? " height=\"" + between(40, 70) + "\"" : "") + "/>";
+  std::string shape() {
+    switch (number(6)) {
+      case 0:
+        return "<rect x=\"" + between(5, 50) + "\" y=\"" + between(5, 50) + "\" width=\"" + between(10, 45) + "\" height=\"" +
+               between(10, 45) + "\"" + (one_in(2) ? " rx=\"6\"" : "") + attributes() + "/>";
+      case 1:
+        return "<ellipse cx=\"" + between(30, 70) + "\" cy=\"" + between(30, 70) + "\" rx=\"" + between(5, 30) + "\" ry=\"" +
+               between(5, 30) + "\"" + attributes() + "/>";
+      case 2:
+        return "<" + pick({"polygon", "polyline"}) + " points=\"" + at() + " " + at() + " " + at() + " " + at() + " " + at() +
+               "\"" + attributes() + "/>";
+      default:
+        return "<path d=\"" + path_data() + "\"" + attributes() + "/>";
     }
-    default:
-      return "<g" + attributes() + ">" + content + "</g>";
   }
-}
 
-rc::Random random_;
-int uses_ = 0;
+  std::string clip_path(const std::string& id) {
+    if (boxed_) {
+      return "<clipPath id=\"" + id +
+             "\" clipPathUnits=\"objectBoundingBox\"><ellipse cx=\".5\" cy=\".4\" rx=\".5\" ry=\".35\"/></clipPath>";
+    }
+    return "<clipPath id=\"" + id + "\"" + (one_in(3) ? " transform=\"rotate(10)\"" : "") + "><path clip-rule=\"" +
+           pick({"evenodd", "nonzero"}) + "\" d=\"" + path_data() + "\"/></clipPath>";
+  }
+
+  std::string element(int depth) {
+    if (depth > 2 || !one_in(3)) return shape();
+    const std::string content = element(depth + 1) + (one_in(2) ? element(depth + 1) : "");
+    switch (number(4)) {
+      case 0:
+        return "<svg x=\"" + between(0, 20) + "\" y=\"" + between(0, 20) + "\" width=\"" + between(40, 70) + "\" height=\"" +
+               between(40, 70) + "\"" + (one_in(2) ? " viewBox=\"10 0 80 90\"" : "") +
+               (one_in(2) ? " preserveAspectRatio=\"" + pick({"none", "xMinYMax", "xMaxYMin slice", "xMidYMid slice"}) + "\""
+                          : "") +
+               (one_in(4) ? " overflow=\"visible\"" : "") + ">" + content + "</svg>";
+      case 1: {
+        const std::string id = "u" + std::to_string(++uses_);
+        return "<defs><svg id=\"" + id + "\" width=\"60\" height=\"70\" viewBox=\"0 0 100 100\">" + content +
+               "</svg></defs><use xlink:href=\"#" + id + "\" x=\"" + between(0, 20) + "\"" + "/>";
+      }
+      default:
+        return "<g" + attributes() + ">" + content + "</g>";
+    }
+  }
+
+  rc::Random random_;
+  int uses_ = 0;
+  bool boxed_ = false;  // clip paths are in units of boxes
 };
 
 TEST_F(SvgRendering, WhatIsDrawnAtRandom) {

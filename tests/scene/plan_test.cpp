@@ -138,7 +138,7 @@ TEST(GeoJson, ErrorsNameFileAndPath) {
   EXPECT_EQ(error(start + R"({"type":"Polygon","coordinates":[[[0,0],[300,0],[300,"x"]]]}}]})"),
             "a.geojson: features[0].geometry.coordinates[0][2]: expected a position [x, y], got [300, \"x\"]");
   EXPECT_EQ(error(start + R"({"type":"Polygon","coordinates":[[[0,0],[300,300],[200,200],[0,0]]]}}]})"),
-            "a.geojson: features[0].geometry.coordinates[0]: expected a ring with an area, got 4 points that enclose none");
+            "a.geojson: features[0].geometry.coordinates[0]: expected a ring with an area, got 3 points that enclose none");
   EXPECT_EQ(error(start + R"({"type":"Polygon","coordinates":[[[1,1],[2,1],[2,2]],[[0,0],[300,0],[300,300],[0,300]]]}}]})"),
             "a.geojson: features[0].geometry.coordinates[0]: expected an outline with an area, got one that encloses none");
   EXPECT_EQ(error(R"({"type":"Polygon","coordinates":[[[0,0],[10,0],[10,10]]]})"),

@@ -78,7 +78,7 @@ TEST(SvgShown, StyleSheets) {
          100.0, 0);
   expect(page("<style>/* } */ svg > .eo:first-child , x { FILL-RULE : evenodd ; ; x:y }</style><g>" + classed + "</g>"), 100.0,
          0);
-  EXPECT_EQ(error(page("<style>path:nth-child(2){display:none}</style>" + classed)).substr(0, 22), "a.svg:1:107: style: ex");
+  EXPECT_EQ(error(page("<style>path:nth-child(2){display:none}</style>" + classed)).substr(0, 22), "a.svg:1:94: style: exp");
   const Read imported = read(page("<style>@import url(a.css);</style>" + classed));
   ASSERT_EQ(imported.notes.size(), 1U);
 }

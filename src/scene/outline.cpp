@@ -331,6 +331,15 @@ bool as_large_as(const PolygonRings& rings, const std::vector<Region>& regions) 
   return std::abs(filled - area) <= round / geometry::lattice_per_mm;
 }
 
+// Whether each vertex of the rings is on the border of the region, but for what the lattice rounds: so no corner was cut off.
+bool keeps_vertices(const PolygonRings& rings, const Region& region) {
+  constexpr double rounded_mm = 2.0 / geometry::lattice_per_mm;
+  const geometry::RegionIndex index(region);
+  return std::ranges::all_of(rings.all, [&](const CleanRing& ring) {
+    return std::ranges::all_of(ring.points, [&](vec2 vertex) { return index.border_within(vertex, rounded_mm); });
+  });
+}
+
 const Place& fault_place(const RegionFault& fault, const Ring& outline, const std::vector<Ring>& holes) {
   const std::size_t ring = std::max(fault.a.ring, fault.b.ring);
   return ring == 0 ? outline.place : holes[ring - 1].place;
@@ -381,7 +390,7 @@ Region region_of(const Ring& outline, const std::vector<Ring>& holes, std::vecto
   std::vector<Region> regions = repaired(rings, outline.place);
   const Place& place = fault_place(*fault, outline, holes);
   const FaultText text = fault_text(*fault, rings.all);
-  if (regions.size() != 1 || !as_large_as(rings, regions)) {
+  if (regions.size() != 1 || !as_large_as(rings, regions) || !keeps_vertices(rings, regions.front())) {
     throw InputError(place, fmt::format("expected {}, got {}", text.expected, text.got));
   }
   tell_repair(text, regions, place, notes);
@@ -403,15 +412,22 @@ std::vector<Region> regions_of_polygon(const Ring& outline, const std::vector<Ri
   return regions;
 }
 
-std::vector<Region> filled_regions(const std::vector<Ring>& given, FillRule rule) {
+std::vector<Region> drawn_regions(const std::vector<Ring>& given, FillRule rule) {
+  if (given.empty()) return {};
   limit_rings(given, 0, given.front().place);
   const std::vector<FilledRing> rings = rings_with_area(given);
-  if (rings.empty()) clean_ring_with_area(given.front());  // says what is wrong with it
+  if (rings.empty()) return {};
   const auto containers = containers_of(rings);
   std::vector<Region> regions = containers ? nested_regions(rings, *containers, rule) : filled_anew(rings, rule);
-  if (regions.empty()) throw InputError(given.front().place, "expected subpaths that fill an area, got such that fill none");
   for (Region& region : regions) region = canonical(std::move(region));
   return regions;
+}
+
+std::vector<Region> filled_regions(const std::vector<Ring>& rings, FillRule rule) {
+  std::vector<Region> regions = drawn_regions(rings, rule);
+  if (!regions.empty()) return regions;
+  if (std::ranges::none_of(rings, has_area)) clean_ring_with_area(rings.front());  // says what is wrong with it
+  throw InputError(rings.front().place, "expected subpaths that fill an area, got such that fill none");
 }
 
 bool has_area(const Ring& ring) { return clean_ring(ring).points.size() >= 3; }

@@ -27,7 +27,8 @@ inline constexpr std::size_t most_holes = 10'000;
 // place of the ring, where the rings make no region; an edge has the number of the given point where it starts, from 0.
 //
 // Rings that touch or run along themselves or each other, or cross by no more than the lattice rounds, are read as what the
-// outline encloses and no hole does, if that is one region and as large as the rings say; it is told in `notes`.
+// outline encloses and no hole does, if that is one region as large as the rings say with all their vertices on its border; it
+// is told in `notes`.
 geometry::Region region_of(const Ring& outline, const std::vector<Ring>& holes, std::vector<Note>* notes = nullptr);
 
 // The same for rings that may do anything, as in plans: what the outline encloses by the even-odd rule without what any hole
@@ -42,6 +43,9 @@ using geometry::FillRule;
 // cross or touch but in single points, as `region_of`, in the order of their outlines among the rings. One or more rings.
 // Throws InputError where they fill nothing.
 std::vector<geometry::Region> filled_regions(const std::vector<Ring>& rings, FillRule rule);
+
+// The same, and nothing where they fill nothing.
+std::vector<geometry::Region> drawn_regions(const std::vector<Ring>& rings, FillRule rule);
 
 // Whether the ring has three or more points on the lattice that are not all on a line.
 bool has_area(const Ring& ring);

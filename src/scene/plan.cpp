@@ -22,20 +22,28 @@ class Candidates {
  public:
   Candidates(const Plan& plan, const std::vector<ShapeKind>& kinds, const ShapeChoice& choice)
       : plan_(plan), choice_(choice), what_(name_of(plan, kinds)) {
+    const bool areas = std::ranges::find(kinds, ShapeKind::area) != kinds.end();
+    const bool lines = std::ranges::find(kinds, ShapeKind::line) != kinds.end();
     for (std::size_t i = 0; i < plan.shapes.size(); ++i) {
-      if (std::ranges::find(kinds, plan.shapes[i].kind) != kinds.end()) shapes_.push_back(i);
+      const PlanShape& shape = plan.shapes[i];
+      if (shape.kind == ShapeKind::unread && areas) unread_.push_back(i);
+      if (std::ranges::find(kinds, shape.kind) == kinds.end() || !answers(shape.asked_for, areas, lines)) continue;
+      named_.push_back(i);
+      if (!shape.open) shapes_.push_back(i);
     }
+    if (shapes_.empty()) shapes_ = without_parts(named_);
     if (shapes_.empty()) throw InputError(Place{plan.file, 0, 0, ""}, fmt::format("expected a {}, got none", what_));
   }
 
-  const std::vector<std::size_t>& all() const { return shapes_; }
+  std::vector<std::size_t> all() const {
+    return with_unread(without_parts(named_), [](std::size_t) { return true; });
+  }
 
   std::vector<std::size_t> with_class(const std::string& class_name) const {
     std::vector<std::size_t> found;
-    for (const std::size_t shape : shapes_) {
-      if (has_class(plan_.shapes[shape].feature, class_name)) found.push_back(shape);
-    }
-    if (!found.empty()) return found;
+    const auto of_class = [&](std::size_t shape) { return has_class(plan_.shapes[shape].feature, class_name); };
+    std::ranges::copy_if(named_, std::back_inserter(found), of_class);
+    if (!found.empty()) return with_unread(without_parts(found), of_class);
     throw InputError(choice_.place,
                      fmt::format("expected a class that a {} of {} has, got {}, which none has", what_,
                                  in_quotes(std::filesystem::path(plan_.file).filename().string()), in_quotes(class_name)));
@@ -50,7 +58,7 @@ class Candidates {
   std::vector<std::size_t> with_id(const std::string& id) const {
     std::vector<std::size_t> own;
     std::vector<std::size_t> in_group;
-    for (const std::size_t shape : shapes_) {
+    for (const std::size_t shape : named_) {
       const std::size_t feature = plan_.shapes[shape].feature;
       if (holds(plan_.features[feature].ids, id)) {
         own.push_back(shape);
@@ -58,7 +66,10 @@ class Candidates {
         in_group.push_back(shape);
       }
     }
-    if (own.empty() && !in_group.empty()) return in_group;
+    if (own.empty() && !in_group.empty()) {
+      return with_unread(without_parts(in_group),
+                         [&](std::size_t shape) { return in_group_with_id(plan_.shapes[shape].feature, id); });
+    }
     if (own.empty()) own = also_called(id);
     if (!own.empty() && of_one_feature(own)) return own;
     refuse_ids(fmt::format("{}, the id of {}", in_quotes(id), own.size()));
@@ -75,6 +86,38 @@ class Candidates {
     std::ranges::copy_if(shapes_, std::back_inserter(found),
                          [&](std::size_t shape) { return holds(plan_.features[plan_.shapes[shape].feature].more_ids, name); });
     return found;
+  }
+
+  static bool answers(AskedFor asked_for, bool areas, bool lines) {
+    switch (asked_for) {
+      case AskedFor::areas_alone:
+        return areas && !lines;
+      case AskedFor::areas_beside_lines:
+        return areas && lines;
+      case AskedFor::lines_alone:
+        return lines && !areas;
+      case AskedFor::anything:
+        break;
+    }
+    return true;
+  }
+
+  // Without those that an outline among them is joined of.
+  std::vector<std::size_t> without_parts(std::vector<std::size_t> shapes) const {
+    std::vector<std::size_t> parts;
+    for (const std::size_t shape : shapes) {
+      parts.insert(parts.end(), plan_.shapes[shape].parts.begin(), plan_.shapes[shape].parts.end());
+    }
+    std::ranges::sort(parts);
+    std::erase_if(shapes, [&](std::size_t shape) { return std::ranges::binary_search(parts, shape); });
+    return shapes;
+  }
+
+  template <typename Chosen>
+  std::vector<std::size_t> with_unread(std::vector<std::size_t> shapes, Chosen is_chosen) const {
+    std::ranges::copy_if(unread_, std::back_inserter(shapes), is_chosen);
+    std::ranges::sort(shapes);
+    return shapes;
   }
 
   static std::string_view name_of(const Plan& plan, const std::vector<ShapeKind>& kinds) {
@@ -122,7 +165,9 @@ class Candidates {
   const Plan& plan_;
   const ShapeChoice& choice_;
   std::string_view what_;
-  std::vector<std::size_t> shapes_;
+  std::vector<std::size_t> shapes_;  // those that are counted
+  std::vector<std::size_t> named_;   // those that may be asked for by name
+  std::vector<std::size_t> unread_;
 };
 
 }  // namespace
@@ -179,9 +224,10 @@ Plan plan_of_file(const std::filesystem::path& file, const Place& place, double 
     throw InputError(place, "expected a file that ends in .geojson, .json or .svg, got " + in_quotes(file.filename().string()));
   }
   const std::string text = input_text(file, largest_outline_bytes, place);
-  require_utf8(text, file.string());
   const PlanFormat format = named ? *named : format_of_text(text);
-  return format == PlanFormat::svg ? plan_of_svg(text, file.string(), svg_scale) : plan_of_geojson(text, file.string());
+  if (format == PlanFormat::svg) return plan_of_svg(text, file.string(), svg_scale);
+  require_utf8(text, file.string());
+  return plan_of_geojson(text, file.string());
 }
 
 }  // namespace shatterpave::scene

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,14 +57,25 @@ struct PlanFeature {
   std::optional<std::size_t> group;   // the feature that holds it
 };
 
-enum class ShapeKind { area, line, point };
+// `unread`: what is drawn but is none of the others, such as text.
+enum class ShapeKind { area, line, point, unread };
+
+// An open subpath of SVG is a line to whoever asks for lines, and part of an area to whoever asks for areas alone: so some
+// shapes are there for one question only.
+enum class AskedFor { anything, areas_alone, areas_beside_lines, lines_alone };
 
 struct PlanShape {
   ShapeKind kind = ShapeKind::area;
-  std::vector<Ring> rings;          // in the plan's units. Area: its rings; line and point: one
-  std::optional<FillRule> filling;  // by which the rings of an area fill it; without: outline first, then its holes
+  std::vector<Ring> rings{};          // in the plan's units. Area: its rings; line and point: one
+  std::optional<FillRule> filling{};  // by which the rings of an area fill it; without: outline first, then its holes
   std::size_t feature = 0;
   std::optional<InputError> fault{};  // why the shape cannot be read; then it has no rings
+  AskedFor asked_for = AskedFor::anything;
+  bool open = false;                 // an area without any closed outline: counts where there is no other, or by name
+  std::vector<std::size_t> parts{};  // shapes that a joined outline takes the place of
+  std::vector<std::shared_ptr<const std::vector<geometry::Region>>> clips{};  // only what lies in all of these is drawn
+  std::vector<Note> notes{};                                                  // told where the shape is taken
+  std::optional<Note> unfollowed{};                                           // why it cannot be taken
 };
 
 struct Plan {
@@ -75,7 +87,7 @@ struct Plan {
   PlanAxes axes;  // of the file; the shapes are east and north already
   std::vector<PlanFeature> features;
   std::vector<PlanShape> shapes;  // in their order in the file
-  std::vector<Note> notes;
+  std::vector<Note> notes;        // about the file as a whole
 };
 
 // The plan of a file, which must end in .svg or one of the endings of GeoJSON, unless it is a pipe: then its first character
@@ -91,12 +103,18 @@ Plan plan_of_file(const std::filesystem::path& file, const Place& place, double 
 Plan plan_of_geojson(std::string_view text, const std::string& file);
 
 // SVG 1.1 in millimetres, y up, the lower left corner of the page as the origin: path, polygon, polyline, rect, circle,
-// ellipse, line, in groups, nested svg, switch and use. Transforms, viewBox and units are followed. Curves become lines that
-// are at most `svg_tolerance_mm` off (after scaling). Closed subpaths of an element are one area, each open one is a line. An
-// element or group goes by its `id`, `inkscape:label` and `data-name`, and by the words of its `class`. Style sheets are not
-// followed.
+// ellipse, line, in groups, nested svg, switch and use, in any encoding of XML. Transforms, viewBox, units, style sheets, clip
+// paths and overflow are followed. Curves become lines that are at most `svg_tolerance_mm` off (after scaling).
+//
+// The subpaths of an element are one area, as its fill rule says. Where it is filled, open ones are closed by a straight line
+// if areas alone are asked for; else they are lines. One that misses its start by no more than `join_tolerance_mm` is closed.
+// Open ones of one group that meet end to end within it are an outline, if they are not filled by themselves. An element or
+// group goes by its `id`, `inkscape:label` and `data-name`, and by the words of its `class`.
 inline constexpr double svg_tolerance_mm = 0.1;
-Plan plan_of_svg(std::string_view text, const std::string& file, double scale = 1.0);
+Plan plan_of_svg(std::string_view bytes, const std::string& file, double scale = 1.0);
+
+// 0.02 mm on the page, but no less than 0.1 mm in the world.
+double join_tolerance_mm(double scale);
 
 // Which shapes of a plan the scene wants: those with the ids or indices, or those of the class.
 struct ShapeChoice {
@@ -109,8 +127,9 @@ enum class ByDefault { the_only_feature, all };
 
 // The indices of the shapes chosen among those of the given kinds, in the order of the plan, each once. An index counts shapes
 // of these kinds; an id is that of one feature or else of a group, or else a name in another language; a class may stand at a
-// shape or at any group about it. Without a choice: all, or those of the only feature. Throws InputError, which lists the
-// shapes, if a choice fits none.
+// shape or at any group about it. Without a choice: all, or those of the only feature. What is drawn within the choice but
+// cannot be read (`unread`) comes with it, where areas are asked for. Throws InputError, which lists the shapes, if a choice
+// fits none.
 std::vector<std::size_t> chosen_shapes(const Plan& plan, const std::vector<ShapeKind>& kinds, const ShapeChoice& choice,
                                        ByDefault by_default);
 

@@ -38,8 +38,8 @@ std::vector<Region> band(const Ring& ring, double width_mm) {
   return geometry::without_faults(geometry::thickened({line}, 0.5 * width_mm));
 }
 
-std::vector<Region> regions_of_shape(const PlanShape& shape, const PlanFrame& frame, double width_mm,
-                                     std::vector<Note>* notes) {
+std::vector<Region> unclipped_regions(const PlanShape& shape, const PlanFrame& frame, double width_mm,
+                                      std::vector<Note>* notes) {
   std::vector<Ring> rings;
   for (const Ring& ring : shape.rings) rings.push_back(frame(ring));
   if (shape.kind == ShapeKind::line) return band(rings.front(), width_mm);
@@ -48,6 +48,18 @@ std::vector<Region> regions_of_shape(const PlanShape& shape, const PlanFrame& fr
   const Ring outline = std::move(rings.front());
   rings.erase(rings.begin());
   return regions_of_polygon(outline, rings, notes);
+}
+
+std::vector<Region> regions_of_shape(const PlanShape& shape, const PlanFrame& frame, double width_mm,
+                                     std::vector<Note>* notes) {
+  if (notes != nullptr) {
+    for (const Note& note : shape.notes) add_note(note, *notes);
+  }
+  if (shape.kind == ShapeKind::unread) return {};
+  if (shape.unfollowed) throw InputError(shape.unfollowed->place, shape.unfollowed->what);
+  std::vector<Region> regions = unclipped_regions(shape, frame, width_mm, notes);
+  for (const auto& clip : shape.clips) regions = within(regions, *clip);
+  return regions;
 }
 
 std::vector<geometry::Box> boxes_of(const std::vector<Region>& regions) {

@@ -64,6 +64,19 @@ bool has_any(const TomlTable& table, const PlanKeys& keys) {
   return table.has(keys.file) || table.has(keys.feature) || table.has(keys.class_name);
 }
 
+// A clip path that leaves the whole line is no matter.
+std::vector<vec2> guide_of(const PlanShape& shape, const PlanFrame& frame) {
+  const Ring& ring = shape.rings.front();
+  std::vector<vec2> line = line_of(frame(ring));
+  for (const auto& clip : shape.clips) {
+    const bool inside = std::ranges::all_of(line, [&](vec2 p) {
+      return std::ranges::any_of(*clip, [&](const geometry::Region& region) { return geometry::contains(region, p); });
+    });
+    if (!inside) throw InputError(ring.place, "expected a guide that no clip path or viewport cuts, got one that is cut");
+  }
+  return line;
+}
+
 }  // namespace
 
 Plans::Plans(const TomlTable& root, std::vector<Note>& notes) : notes_(notes) {
@@ -131,7 +144,7 @@ class Taken {
     std::vector<std::vector<vec2>> lines;
     for (const std::size_t shape : shapes_) {
       try {
-        lines.push_back(line_of(frame_(plan_.shapes[shape].rings.front())));
+        lines.push_back(guide_of(plan_.shapes[shape], frame_));
       } catch (const InputError& error) {
         if (by_name_) throw;
         left_out.push_back(error);

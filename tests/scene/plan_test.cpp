@@ -274,10 +274,6 @@ TEST(Svg, ErrorsNameTheElement) {
             "a.svg:2:2: rect: expected coordinates from -1000000 to 1000000 mm, got (264583333.33333334, 0)");
   EXPECT_EQ(error("<rect width=\"9\" height=\"9\"/>", "viewBox=\"0 0 0 9\""),
             "a.svg:1:2: svg: expected a viewBox of x y width height, got another");
-  EXPECT_EQ(error("<polygon points=\"0 0 96 96 96 0 0 96\"/>"),
-            "a.svg:2:2: polygon: expected edges that do not cross, got edge 0 of the outline and edge 2 of the outline "
-            "crossing at (12.7, "
-            "-12.7)");
   EXPECT_TRUE(message_of([] { plan_of_svg("<svg><", "a.svg"); }).starts_with("a.svg:1:6: expected XML, got an error: "));
   EXPECT_EQ(message_of([] { plan_of_svg("<html/>", "a.svg"); }), "a.svg: expected an <svg>, got \"html\"");
   std::string deep;
@@ -329,9 +325,10 @@ TEST(Svg, NestedViewportsAndPercentages) {
   const std::string stretched =
       R"(<svg width="500" height="250" preserveAspectRatio="none" viewBox="0 0 100 100"><rect width="9" height="9"/></svg>)";
   EXPECT_EQ(svg(stretched, mm_page).outline, rectangle({0, 977.5}, {45, 1000}));
+  // Of the square that is drawn from y = -250 on, the viewport leaves what lies below 0.
   const std::string low =
-      R"(<svg width="500" height="250" preserveAspectRatio="xMinYMax slice" viewBox="0 0 100 100"><rect width="9" height="9"/></svg>)";
-  EXPECT_EQ(svg(low, mm_page).outline, rectangle({0, 1205}, {45, 1250}));
+      R"(<svg width="500" height="250" preserveAspectRatio="xMinYMax slice" viewBox="0 0 100 100"><rect width="9" height="60"/></svg>)";
+  EXPECT_EQ(svg(low, mm_page).outline, rectangle({0, 950}, {45, 1000}));
   const geometry::Box circle = geometry::bounding_box(svg(R"(<circle cx="50%" cy="50%" r="10%"/>)", mm_page).outline);
   EXPECT_NEAR(circle.high.x, 600.0, 0.002);
 }

@@ -36,7 +36,11 @@ void run(const cli::Export& job, char** argv) {
   }
 }
 
-void run(const cli::Check& job, char** /*argv*/) { pipeline::require_possible(scene::scene_of_file(job.scene, job.overrides)); }
+void run(const cli::Check& job, char** /*argv*/) {
+  const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
+  pipeline::require_possible(scene);
+  cli::require_for_targets(scene, job.targets);
+}
 
 void run(const cli::Render& job, char** argv) { cli::run_with_rasters(job, argv); }
 

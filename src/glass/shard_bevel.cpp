@@ -37,6 +37,7 @@ struct StripVertex {
   std::size_t before = unnumbered;  // on the border: its neighbours in the strip
   std::size_t next = unnumbered;
   bool is_old = false;  // the side of the border to the next one
+  bool on_ridge = false;
 
   bool on_border() const { return next != unnumbered; }
 };
@@ -164,6 +165,14 @@ std::optional<std::int64_t> ridge_um(const Strip& strip, LatticePoint point, std
   return std::min(depth_um, away_um);
 }
 
+// The vertex that the mesh has just got.
+void append_ridge(Strip& strip, std::int64_t rise_um) {
+  StripVertex& vertex = strip.vertices.emplace_back();
+  vertex.number = unnumbered;
+  vertex.rise_um = rise_um;
+  vertex.on_ridge = true;
+}
+
 // Parts the ties that are left in their middles, and lifts these to the ridge.
 void lift_ties(PlaneMesh& mesh, Strip& strip, std::int64_t depth_um) {
   for (const auto& [a, b] : ties(mesh, strip.vertices)) {
@@ -171,7 +180,7 @@ void lift_ties(PlaneMesh& mesh, Strip& strip, std::int64_t depth_um) {
     const LatticePoint q = mesh.points()[b];
     const LatticePoint middle{(p.x + q.x) / 2, (p.y + q.y) / 2};
     const auto rise_um = ridge_um(strip, middle, depth_um);
-    if (rise_um && mesh.part(a, b, middle)) strip.vertices.push_back({unnumbered, *rise_um});
+    if (rise_um && mesh.part(a, b, middle)) append_ridge(strip, *rise_um);
   }
 }
 
@@ -193,7 +202,7 @@ void lift_triangles(PlaneMesh& mesh, Strip& strip, std::int64_t depth_um) {
     if (!std::ranges::all_of(corners, [&](std::size_t v) { return strip.vertices[v].on_border(); })) continue;
     const LatticePoint middle = incentre(mesh, corners);
     const auto rise_um = ridge_um(strip, middle, depth_um);
-    if (rise_um && mesh.part(t, middle)) strip.vertices.push_back({unnumbered, *rise_um});
+    if (rise_um && mesh.part(t, middle)) append_ridge(strip, *rise_um);
   }
 }
 
@@ -212,10 +221,9 @@ bool reaches_in(const PlaneMesh& mesh, const geometry::TriangleCorners& corners,
   return width_mm > 1.5 * geometry::to_mm(depth_um) + geometry::to_mm(least_ridge_um);
 }
 
-// Of a triangle with a side of the border, or in the face. Where rounding leaves two sides, a broken one wins.
-std::optional<ShardSurface> surface_by_sides(const PlaneMesh& mesh, const geometry::TriangleCorners& corners,
-                                             const std::vector<StripVertex>& vertices, std::int64_t depth_um) {
-  if (std::ranges::all_of(corners, [&](std::size_t c) { return vertices[c].rise_um == depth_um; })) return ShardSurface::old;
+// Of a triangle with a side of the border, where rounding may leave two: then a broken one wins.
+std::optional<ShardSurface> surface_by_side(const PlaneMesh& mesh, const geometry::TriangleCorners& corners,
+                                            const std::vector<StripVertex>& vertices, std::int64_t depth_um) {
   std::optional<ShardSurface> surface;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t a = corners[i];
@@ -226,30 +234,56 @@ std::optional<ShardSurface> surface_by_sides(const PlaneMesh& mesh, const geomet
   return surface;
 }
 
-// The vertices from which the sides of the border start that a triangle may lead up from: those at its corners, or, where it
-// lies between ridges, all.
-std::vector<std::size_t> sides_about(const geometry::TriangleCorners& corners, const std::vector<StripVertex>& vertices) {
+// The sides of the border at a vertex, by the vertices from which they start: on either way up to the first that is not as
+// short as rounding makes them.
+void append_sides_at(std::size_t vertex, const PlaneMesh& mesh, const std::vector<StripVertex>& vertices,
+                     std::vector<std::size_t>& sides) {
+  const auto is_short = [&](std::size_t v) {
+    return glm::length(geometry::to_mm(mesh.points()[vertices[v].next]) - geometry::to_mm(mesh.points()[v])) <
+           geometry::to_mm(2 * least_ridge_um);
+  };
+  for (std::size_t v = vertex;; v = vertices[v].next) {
+    sides.push_back(v);
+    if (!is_short(v) || vertices[v].next == vertex) break;
+  }
+  for (std::size_t v = vertices[vertex].before;; v = vertices[v].before) {
+    sides.push_back(v);
+    if (!is_short(v) || v == vertex) break;
+  }
+}
+
+// The sides of the border that a triangle may lead up from: those at its corners, or, at ridges, all.
+std::vector<std::size_t> sides_about(const geometry::TriangleCorners& corners, const PlaneMesh& mesh,
+                                     const std::vector<StripVertex>& vertices, bool at_ridge) {
   std::vector<std::size_t> sides;
   for (const std::size_t corner : corners) {
-    if (vertices[corner].on_border()) sides.insert(sides.end(), {vertices[corner].before, corner});
+    if (!at_ridge && vertices[corner].on_border()) append_sides_at(corner, mesh, vertices, sides);
   }
-  for (std::size_t v = 0; sides.empty() && v < vertices.size(); ++v) {
+  for (std::size_t v = 0; at_ridge && v < vertices.size(); ++v) {
     if (vertices[v].on_border()) sides.push_back(v);
   }
   return sides;
 }
 
-// Of a triangle that has none: that of the sides about it, or, where they are of both kinds, of the one that is nearest.
-ShardSurface surface_of(const PlaneMesh& mesh, const geometry::TriangleCorners& corners,
-                        const std::vector<StripVertex>& vertices) {
+// That of the sides, or, where they are of both kinds, of the one that is nearest to the middle of the triangle.
+ShardSurface surface_by_place(const PlaneMesh& mesh, const geometry::TriangleCorners& corners,
+                              const std::vector<StripVertex>& vertices, const std::vector<std::size_t>& sides) {
   const auto at = [&](std::size_t v) { return geometry::to_mm(mesh.points()[v]); };
-  const std::vector<std::size_t> sides = sides_about(corners, vertices);
   const bool is_old = vertices[sides.front()].is_old;
   if (std::ranges::all_of(sides, [&](std::size_t v) { return vertices[v].is_old == is_old; })) return surface_of(is_old);
   const vec2 middle = (at(corners[0]) + at(corners[1]) + at(corners[2])) / 3.0;
   const std::size_t nearest = *std::ranges::min_element(
       sides, {}, [&](std::size_t v) { return distance_to_segment(middle, at(v), at(vertices[v].next)); });
   return surface_of(vertices[nearest].is_old);
+}
+
+ShardSurface surface_of(const PlaneMesh& mesh, const geometry::TriangleCorners& corners,
+                        const std::vector<StripVertex>& vertices, std::int64_t depth_um) {
+  if (std::ranges::all_of(corners, [&](std::size_t c) { return vertices[c].rise_um == depth_um; })) return ShardSurface::old;
+  const bool at_ridge = std::ranges::any_of(corners, [&](std::size_t c) { return vertices[c].on_ridge; });
+  const auto by_side = surface_by_side(mesh, corners, vertices, depth_um);
+  if (by_side && !at_ridge) return *by_side;
+  return surface_by_place(mesh, corners, vertices, sides_about(corners, mesh, vertices, at_ridge));
 }
 
 void append_strip(ShardSide& side, std::size_t border, Strip strip, std::int64_t depth_um) {
@@ -264,8 +298,7 @@ void append_strip(ShardSide& side, std::size_t border, Strip strip, std::int64_t
     side.vertices.push_back({mesh.points()[v], strip.vertices[v].rise_um});
   }
   for (const geometry::TriangleCorners& corners : mesh.triangles()) {
-    const auto by_sides = surface_by_sides(mesh, corners, strip.vertices, depth_um);
-    ShardSide::Triangle triangle{{}, by_sides ? *by_sides : surface_of(mesh, corners, strip.vertices)};
+    ShardSide::Triangle triangle{{}, surface_of(mesh, corners, strip.vertices, depth_um)};
     std::ranges::transform(corners, triangle.corners.begin(), [&](std::size_t v) { return strip.vertices[v].number; });
     side.triangles.push_back(triangle);
   }

@@ -174,23 +174,21 @@ class Inspection {
   void look_at_bevel(const Facet& facet, bool is_old) {
     const bool front = 2 * facet.corners[0].z > geometry::to_lattice(pane_.thickness_mm);
     if ((facet.across.z > 0.0) != front) fault("a bevel is turned over", facet);
-    if (facet.across.x == 0.0 && facet.across.y == 0.0) {
-      const double height_mm = geometry::to_mm(std::llround(1000.0 * facet.across.z / facet.longest_um())) / 1000.0;
-      if (std::abs(height_mm) < narrow_mm) {
-        ++found_.narrow;
-      } else {
-        found_.level_bevel_mm2 += 0.5e-6 * std::abs(facet.across.z);
-      }
+    const bool is_narrow = std::abs(facet.across.z) / facet.longest_um() < 1000.0 * narrow_mm;
+    if (facet.across.x == 0.0 && facet.across.y == 0.0 && !is_narrow) {
+      found_.level_bevel_mm2 += 0.5e-6 * std::abs(facet.across.z);
     }
     const int kind = nearest_kind(sides_, facet);
     // Shallower than a bevel is a chip, which may reach over the edge of the pane.
     const bool is_chip = std::abs(facet.across.z) > chip_slope * glm::length(facet.across);
     if (kind == 0 || (kind == 2 && is_chip)) {
       ++found_.undecided;
-    } else if ((kind == 2) != is_old) {
-      fault(kind == 2 ? "a bevel of the pane's edge is broken" : "a bevel of a crack is old", facet);
-    } else {
+    } else if ((kind == 2) == is_old) {
       ++found_.bevels;
+    } else if (is_narrow) {
+      ++found_.narrow;
+    } else {
+      fault(kind == 2 ? "a bevel of the pane's edge is broken" : "a bevel of a crack is old", facet);
     }
   }
 

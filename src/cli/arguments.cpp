@@ -137,14 +137,18 @@ struct Requests {
   int threads = 0;
 };
 
+void add_targets(CLI::App& command, Requests& requests) {
+  command.add_option("--target", requests.targets, "povray (the default), json, svg, textures or obj; may be repeated")
+      ->type_name("TARGET")
+      ->allow_extra_args(false)
+      ->transform(one_of(target_names));
+}
+
 CLI::App* add_export(CLI::App& app, Requests& requests) {
   CLI::App* command = app.add_subcommand("export", "Write what renderers and other programs read");
   add_scene_options(*command, requests.scene);
   add_output(*command, requests.output);
-  command->add_option("--target", requests.targets, "povray (the default), json, svg, textures or obj; may be repeated")
-      ->type_name("TARGET")
-      ->allow_extra_args(false)
-      ->transform(one_of(target_names));
+  add_targets(*command, requests);
   add_threads(*command, requests.threads);
   return command;
 }
@@ -152,6 +156,7 @@ CLI::App* add_export(CLI::App& app, Requests& requests) {
 CLI::App* add_check(CLI::App& app, Requests& requests) {
   CLI::App* command = app.add_subcommand("check", "Validate a scene file; writes nothing");
   add_scene_options(*command, requests.scene);
+  add_targets(*command, requests);
   return command;
 }
 
@@ -205,7 +210,7 @@ Command command_of(int argc, const char* const* argv) {
   }
   const std::filesystem::path scene = requests.scene.scene;
   std::vector<scene::Override> overrides = overrides_of(requests.scene);
-  if (check_command->parsed()) return Check{scene, std::move(overrides)};
+  if (check_command->parsed()) return Check{scene, std::move(overrides), targets_of(std::move(requests.targets))};
   if (export_command->parsed()) {
     return Export{scene, std::move(overrides), requests.output, targets_of(std::move(requests.targets)), requests.threads};
   }

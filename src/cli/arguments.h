@@ -25,6 +25,7 @@ struct Export {
 struct Check {
   std::filesystem::path scene;
   std::vector<scene::Override> overrides;
+  std::vector<Target> targets;  // as those of an export: what they would refuse is refused
 };
 
 struct Render {

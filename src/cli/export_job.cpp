@@ -15,6 +15,10 @@
 
 namespace shatterpave::cli {
 
+void require_for_targets(const scene::Scene& scene, const std::vector<Target>& targets) {
+  if (std::ranges::find(targets, Target::obj) != targets.end()) exporting::require_shards(scene.panes);
+}
+
 void append_without_rasters(const exporting::Model& model, Target target, exporting::Outputs& outputs) {
   ENSURE(target == Target::json || target == Target::svg || target == Target::obj);
   if (target == Target::json) {
@@ -29,6 +33,7 @@ void export_scene(const Export& job, const AppendTarget& append_target) {
   const ThreadLimit limit(job.threads);
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
   tell(scene.notes);
+  require_for_targets(scene, job.targets);
   pipeline::require_output_folder(job.output);
   exporting::Model model;
   exporting::Outputs outputs;

@@ -39,6 +39,7 @@ void run(const cli::Export& job, char** argv) {
 void run(const cli::Check& job, char** /*argv*/) {
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
   pipeline::require_possible(scene);
+  cli::require_for_targets(scene, job.targets);
   cli::tell(scene.notes);
 }
 

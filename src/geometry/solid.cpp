@@ -1,6 +1,8 @@
 #include "geometry/solid.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace shatterpave::geometry {
@@ -20,6 +22,18 @@ WideVolume sextuple_volume(const Solid& solid) {
     sum += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
   }
   return sum;
+}
+
+vec3 normal(const Solid& solid, const SolidTriangle& triangle) {
+  const LatticePoint3& a = solid.vertices[triangle.corners[0]];
+  const LatticePoint3& b = solid.vertices[triangle.corners[1]];
+  const LatticePoint3& c = solid.vertices[triangle.corners[2]];
+  const std::array<WideVolume, 3> p{b.x - a.x, b.y - a.y, b.z - a.z};
+  const std::array<WideVolume, 3> q{c.x - a.x, c.y - a.y, c.z - a.z};
+  // Exact up to here, so that no triangle is too thin.
+  const vec3 across{static_cast<double>(p[1] * q[2] - p[2] * q[1]), static_cast<double>(p[2] * q[0] - p[0] * q[2]),
+                    static_cast<double>(p[0] * q[1] - p[1] * q[0])};
+  return across / std::sqrt(glm::dot(across, across));
 }
 
 bool is_closed(const Solid& solid) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/vec.h"
 #include "geometry/lattice.h"
 
 namespace shatterpave::geometry {
@@ -38,6 +39,10 @@ struct Solid {
 //   REQUIRES  extents of at most 1 km, so that no sum passes the bounds of 128 bits
 __extension__ using WideVolume = __int128;
 WideVolume sextuple_volume(const Solid& solid);
+
+// The unit normal of a triangle, outwards.
+//   REQUIRES  it has an area
+vec3 normal(const Solid& solid, const SolidTriangle& triangle);
 
 // Whether every edge of a triangle is that of one other triangle in the opposite direction, so that the surface is closed and
 // oriented. No edge stands more than once in one direction.

@@ -12,7 +12,6 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "geometry/contacts.h"
 #include "geometry/segment_index.h"
 #include "glass/crack_paths.h"
 
@@ -138,14 +137,14 @@ Shard joined_body(const Pane& pane, const FacedPane& faced, const JoinedFace& jo
     for (const ShardPiece* one : pieces) shard.joined.push_back(one->id);
   }
   shard.frame_mm = piece.frame_mm;
-  shard.solid = joined_solid(piece.blank, *pane.shards, chips_left(piece.blank.region, pieces, *pane.shards, seed));
+  shard.solid = shard_solid(piece.blank, *pane.shards, chips_left(piece.blank.region, pieces, *pane.shards, seed));
   shard.face = std::move(piece.blank.region);
   return shard;
 }
 
 std::vector<Body> bodies_of(const Pane& pane, const FacedPane& faced, const JoinedFace& joined,
                             const std::vector<ShardPiece>& pieces, std::uint64_t seed) {
-  std::vector<Region> parts = geometry::parted(parts_of(joined.face, faced.segments, *pane.shards));
+  std::vector<Region> parts = parts_of(joined.face, faced.segments, *pane.shards);
   ENSURE(!parts.empty());
   std::vector<std::vector<const ShardPiece*>> within(parts.size());
   for (const ShardPiece& piece : pieces) {
@@ -208,7 +207,8 @@ std::vector<Shard> joined_shards(const Pane& pane, const FacedPane& faced, const
     for (Body& one : some) body_at[one.first] = std::move(one.shard);
   }
   parallel_for(pieces.size(), [&](std::size_t i) {
-    if (!is_joined[pieces[i].face]) shards[i].solid = shard_solid(pieces[i].blank, *pane.shards, seed);
+    if (!is_joined[pieces[i].face])
+      shards[i].solid = shard_solid(pieces[i].blank, *pane.shards, chips(pieces[i].blank, *pane.shards, seed));
   });
   std::vector<Shard> result;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -16,7 +16,7 @@ namespace shatterpave::glass {
 inline constexpr double edge_tolerance_mm = 0.003;
 
 // The face less half the gap along its cracks, in parts that are no splinters, the largest first. Each lies at least half the
-// gap less 2 µm from every crack on the face's border.
+// gap less 2 µm from every crack on the face's border. No rings touch, neither of one part nor of two.
 //   segments  those of the face
 std::vector<geometry::Region> parts_of(const geometry::Face& face, const std::vector<geometry::Segment>& segments,
                                        const ShardRules& rules);

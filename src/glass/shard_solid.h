@@ -31,13 +31,10 @@ struct Chips {
 };
 Chips chips(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed);
 
-// Slots are ShardSurface, z runs from 0 to the thickness. Front and back faces are smaller than the region by the bevel and by
-// chips off broken edges; where nothing of one would be left, or the region has holes, that side stays sharp.
-geometry::Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed);
-
-// The same for a body of many pieces, with bevels and the chips given along all edges, those of holes too. Where a neck between
-// them is so narrow that they meet, faces are in parts.
+// Slots are ShardSurface, z runs from 0 to the thickness. The flat parts of front and back are smaller than the region by the
+// bevel and by chips; where nothing of one would be left, that side stays sharp. Where a neck is narrower than two bevels there
+// are several, and a ridge leads from one to the next.
 //   REQUIRES  no two rings touch
-geometry::Solid joined_solid(const ShardBlank& blank, const ShardRules& rules, const Chips& chips);
+geometry::Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, const Chips& chips);
 
 }  // namespace shatterpave::glass

@@ -131,7 +131,9 @@ std::vector<Shard> shards(const Pane& pane, const CrackNetwork& network, std::ui
   let_go(pane, faced, pieces, result, seed);
   let_fall(pane, result, seed);
   if (pane.shards->joined) return joined_shards(pane, faced, pieces, std::move(result), seed);
-  parallel_for(pieces.size(), [&](std::size_t i) { result[i].solid = shard_solid(pieces[i].blank, *pane.shards, seed); });
+  parallel_for(pieces.size(), [&](std::size_t i) {
+    result[i].solid = shard_solid(pieces[i].blank, *pane.shards, chips(pieces[i].blank, *pane.shards, seed));
+  });
   return result;
 }
 

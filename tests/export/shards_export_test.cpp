@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "core/error.h"
+#include "core/vec.h"
 #include "export/json/geometry_json.h"
 #include "export/obj/shards_obj.h"
 #include "export_panes.h"
+#include "geometry/solid.h"
 
 namespace shatterpave::exporting {
 namespace {
@@ -83,8 +86,11 @@ TEST(ShardsJson, AreNotThereWhereNobodyAskedForThem) {
 
 // What a reader of OBJ makes of the text.
 struct Read {
-  std::vector<std::array<double, 3>> vertices;
-  std::map<std::string, std::vector<std::array<std::size_t, 3>>> faces;  // by group
+  std::vector<vec3> vertices;
+  std::vector<std::array<double, 2>> places;
+  std::vector<vec3> normals;
+  using Corner = std::array<std::size_t, 3>;                         // vertex, place, normal, from 0
+  std::map<std::string, std::vector<std::array<Corner, 3>>> facets;  // by group
   std::set<std::string> materials;
 };
 
@@ -96,12 +102,19 @@ Read read_obj(const std::string& text) {
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     words >> word;
-    if (word == "v") {
-      auto& v = read.vertices.emplace_back();
-      words >> v[0] >> v[1] >> v[2];
+    if (word == "v" || word == "vn") {
+      vec3& v = (word == "v" ? read.vertices : read.normals).emplace_back(0.0, 0.0, 0.0);
+      words >> v.x >> v.y >> v.z;
+    } else if (word == "vt") {
+      auto& v = read.places.emplace_back();
+      words >> v[0] >> v[1];
     } else if (word == "f") {
-      auto& f = read.faces[group].emplace_back();
-      words >> f[0] >> f[1] >> f[2];
+      for (Read::Corner& corner : read.facets[group].emplace_back()) {
+        char slash = ' ';
+        words >> corner[0] >> slash >> corner[1] >> slash >> corner[2];
+        for (std::size_t& number : corner) --number;
+      }
+      EXPECT_FALSE(words.fail()) << line;
     } else if (word == "g") {
       words >> group;
     } else if (word == "usemtl") {
@@ -110,6 +123,29 @@ Read read_obj(const std::string& text) {
     }
   }
   return read;
+}
+
+vec3 across(const Read& read, const std::array<Read::Corner, 3>& facet) {
+  const vec3 a = read.vertices.at(facet[0][0]);
+  return glm::cross(read.vertices.at(facet[1][0]) - a, read.vertices.at(facet[2][0]) - a);
+}
+
+// Facets as a reader sees them who takes vertices in one place for one.
+bool is_closed(const Read& read, const std::vector<std::array<Read::Corner, 3>>& facets) {
+  std::map<std::array<double, 3>, std::size_t> places;
+  std::map<std::pair<std::size_t, std::size_t>, int> edges;
+  for (const auto& facet : facets) {
+    std::array<std::size_t, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const vec3 p = read.vertices.at(facet[i][0]);
+      corners[i] = places.try_emplace({p.x, p.y, p.z}, places.size()).first->second;
+    }
+    for (std::size_t i = 0; i < 3; ++i) ++edges[{corners[i], corners[(i + 1) % 3]}];
+  }
+  return std::ranges::all_of(edges, [&](const auto& edge) {
+    const auto reverse = edges.find({edge.first.second, edge.first.first});
+    return edge.second == 1 && reverse != edges.end() && reverse->second == 1;
+  });
 }
 
 class ShardsInObj : public testing::TestWithParam<bool> {};
@@ -128,31 +164,98 @@ TEST_P(ShardsInObj, EachShardIsAClosedGroupWhereItIs) {
     EXPECT_NE(files[1].content.find("newmtl " + material + "\n"), std::string::npos);
   std::size_t there = 0;
   for (const glass::Shard& shard : model.panes[0].shards) {
-    const auto group = read.faces.find("window." + shard.id);
-    EXPECT_EQ(group != read.faces.end(), shard.state != glass::ShardState::missing) << shard.id;
-    if (group == read.faces.end()) continue;
+    const auto group = read.facets.find("window." + shard.id);
+    EXPECT_EQ(group != read.facets.end(), shard.state != glass::ShardState::missing) << shard.id;
+    if (group == read.facets.end()) continue;
     ++there;
-    std::set<std::pair<std::size_t, std::size_t>> edges;
+    EXPECT_TRUE(is_closed(read, group->second)) << shard.id;
     double lowest = 1e9;
-    for (const auto& f : group->second) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_TRUE(edges.insert({f[i], f[(i + 1) % 3]}).second);
-        ASSERT_LE(f[i], read.vertices.size());
-        lowest = std::min(lowest, read.vertices[f[i] - 1][1]);
+    double volume = 0.0;
+    for (const auto& facet : group->second) {
+      volume += glm::dot(read.vertices[facet[0][0]], across(read, facet)) / 6.0;
+      for (const Read::Corner& corner : facet) lowest = std::min(lowest, read.vertices[corner[0]].y);
+    }
+    EXPECT_NEAR(1e9 * volume, static_cast<double>(geometry::sextuple_volume(shard.solid)) / 6e9, 1e-3) << shard.id;
+    EXPECT_EQ(lowest < -1e-5, shard.state == glass::ShardState::fallen) << shard.id << ' ' << lowest;
+  }
+  EXPECT_EQ(there, read.facets.size());
+}
+
+// Moved and then rounded to whole µm, some 2 of a thousand triangles had none.
+TEST_P(ShardsInObj, EachTriangleHasAnAreaItsNormalAndAPlaceInTextures) {
+  Model model = shattered_model();
+  model.panes = {support::shattered_pane(100, GetParam())};
+  const Read read = read_obj(obj_files(model)[0].content);
+  std::size_t count = 0;
+  for (const auto& [group, facets] : read.facets) {
+    for (const auto& facet : facets) {
+      ++count;
+      const vec3 twice = across(read, facet);
+      ASSERT_GT(glm::length(twice), 1e-18) << group;
+      const auto place = [&](std::size_t i) { return read.places.at(facet[i][1]); };
+      const double u = (place(1)[0] - place(0)[0]) * (place(2)[1] - place(0)[1]);
+      const double v = (place(1)[1] - place(0)[1]) * (place(2)[0] - place(0)[0]);
+      // On the two axes that it faces most squarely at least 1 / √3 of it is left.
+      EXPECT_GT(std::abs(u - v), 0.5 * glm::length(twice)) << group;
+      for (const Read::Corner& corner : facet) {
+        EXPECT_EQ(corner[2], facet[0][2]);
+        EXPECT_NEAR(glm::dot(read.normals.at(corner[2]), glm::normalize(twice)), 1.0, 1e-5) << group;
       }
     }
-    for (const auto& [a, b] : edges) EXPECT_TRUE(edges.contains({b, a})) << shard.id;
-    EXPECT_EQ(lowest < -0.01, shard.state == glass::ShardState::fallen) << shard.id << ' ' << lowest;
   }
-  EXPECT_EQ(there, read.faces.size());
+  EXPECT_GT(count, 5'000U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Joined, ShardsInObj, testing::Bool());
 
-TEST(ShardsObj, WantsShards) {
+TEST(ShardsObj, IsInMetresWithYUp) {
+  Model model = shattered_model();
+  std::erase_if(model.panes[0].shards, [](const glass::Shard& shard) { return shard.state == glass::ShardState::fallen; });
+  const std::string text = obj_files(model)[0].content;
+  EXPECT_NE(text.find("1 unit = 1 m, y up"), std::string::npos);
+  vec3 low{1e9, 1e9, 1e9};
+  vec3 high = -low;
+  for (const vec3 p : read_obj(text).vertices) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  // 300 × 300 × 2 mm
+  EXPECT_TRUE(glm::length(low - vec3{0.0, 0.0, -0.001}) < 1e-6) << low.x << ' ' << low.y << ' ' << low.z;
+  EXPECT_TRUE(glm::length(high - vec3{0.3, 0.3, 0.001}) < 1e-6) << high.x << ' ' << high.y << ' ' << high.z;
+}
+
+TEST(ShardsObj, MaterialsAreClearGlass) {
+  const std::string text = obj_files(shattered_model())[1].content;
+  for (const char* line : {"Ka 0 0 0", "d 1", "Ni 1.52", "Tf 1 1 1", "Pm 0"}) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find("\n" + std::string(line) + "\n"); at != std::string::npos;
+         at = text.find("\n" + std::string(line) + "\n", at + 1)) {
+      ++count;
+    }
+    EXPECT_EQ(count, 2U) << line;
+  }
+}
+
+std::string refusal(const Model& model) {
+  try {
+    obj_files(model);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(ShardsObj, IsRefusedWhereItWouldBeEmpty) {
   Model model = shattered_model();
   model.panes[0].pane.shards.reset();
-  EXPECT_THROW(obj_files(model), InputError);
+  EXPECT_NE(refusal(model).find("expected a pane with a table [pane.shards]"), std::string::npos) << refusal(model);
+  model.panes.clear();
+  EXPECT_NE(refusal(model).find("got no pane"), std::string::npos) << refusal(model);
+  model = shattered_model();
+  for (glass::Shard& shard : model.panes[0].shards) shard.state = glass::ShardState::missing;
+  EXPECT_NE(refusal(model).find("every piece of window is gone"), std::string::npos) << refusal(model);
+  model.panes[0].shards.clear();
+  EXPECT_NE(refusal(model).find("every piece of window is gone"), std::string::npos) << refusal(model);
 }
 
 }  // namespace

@@ -195,6 +195,36 @@ TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
   }
 }
 
+// An empty file is an import that finds nothing, hours later.
+TEST_F(Command, RefusesAnObjWithoutContent) {
+  const std::string none =
+      "target obj: expected a pane with a table [pane.shards], whose pieces are what it writes, got none with it\n";
+  write_file(root / "gone.toml", R"(seed = 3
+[[pane]]
+name = "window"
+size_mm = [100, 80]
+impact = [{at_mm = [50, 40], radial_count = 9}]
+[pane.shards]
+splinter_mm2 = 100000
+)");
+  const Files before = files_in(root);
+  const auto expect = [&](const std::vector<std::string>& arguments, const std::string& message) {
+    const Outcome result = command(arguments);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, message);
+    EXPECT_EQ(files_in(root), before);
+  };
+  expect({"export", "s.toml", "-o", "out", "--target", "json", "--target", "obj"}, none);
+  expect({"check", "s.toml", "--target", "obj"}, none);
+  expect(
+      {"export", "gone.toml", "-o", "out", "--target", "obj"},
+      "target obj: expected a shard that stands or has fallen, got none: every piece of window is gone, or is a splinter (see "
+      "missing, missing_mm, held, fallen and splinter_mm2 of [pane.shards])\n");
+  EXPECT_EQ(command({"check", "s.toml"}).status, 0);
+  EXPECT_EQ(command({"check", "gone.toml", "--target", "obj"}).status, 0);
+}
+
 TEST_F(Command, MeasuresTheSameBytesWithAnyThreads) {
   const auto measured = [&](const std::string& folder, const std::string& threads, const std::string& seed) {
     const Outcome result = command(

@@ -1,6 +1,7 @@
 // The shards of panes as Wavefront OBJ, which Blender, Houdini and others read.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "export/model.h"
@@ -8,8 +9,20 @@
 namespace shatterpave::exporting {
 
 // `SCENE.obj` and its materials `SCENE.mtl`. Each shard that is not missing is an object and a group `PANE.ID`, where it is
-// now; its faces are in the materials glass_old and glass_broken. 1 unit = 1 mm, x to the right, y up, z towards the viewer;
-// outward faces are counter-clockwise. Pavements are left out. Throws InputError where no pane has shards.
+// now; its faces are in the materials glass_old and glass_broken. 1 unit = 1 m, x to the right, y up, z towards the viewer;
+// outward faces are counter-clockwise. Pavements are left out.
+//
+// Guarantees:
+// 1. No triangle is without area: what stands is written in whole µm, what has fallen in all digits of its place. The least
+//    height of a triangle on the lattice is 1 µm² over its longest side, and the digits reach a thousandth of that for panes of
+//    30 m.
+// 2. Each shard is closed, also where readers take vertices in one place for one.
+// 3. Each corner has the normal of its facet, and a place in a texture (vt): that of the vertex in the pane, in metres, on the
+//    two axes that the facet faces most squarely.
+// Throws InputError where there is nothing to be written: see require_shards, or all shards are missing.
 std::vector<OutputFile> obj_files(const Model& model);
+
+// Throws InputError unless one of the panes asks for shards: what obj_files would refuse, known before anything is made.
+void require_shards(std::span<const glass::Pane> panes);
 
 }  // namespace shatterpave::exporting

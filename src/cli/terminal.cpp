@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -13,7 +14,9 @@ namespace shatterpave::cli {
 
 namespace {
 
-volatile std::sig_atomic_t signal_received = 0;
+// Read by any thread.
+std::atomic<int> signal_received{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void note_signal(int signal) { signal_received = signal; }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/sha256.h"
 #include "scene/input_file.h"
 
 namespace shatterpave::scene {
@@ -145,7 +146,9 @@ Plan plan_of_file(const std::filesystem::path& file, const Place& place, double 
   }
   const std::string text = input_text(file, largest_outline_bytes, place);
   require_utf8(text, file.string());
-  return svg ? plan_of_svg(text, file.string(), svg_scale) : plan_of_geojson(text, file.string());
+  Plan plan = svg ? plan_of_svg(text, file.string(), svg_scale) : plan_of_geojson(text, file.string());
+  plan.sum = sha256(text);
+  return plan;
 }
 
 }  // namespace shatterpave::scene

@@ -81,6 +81,12 @@ const Plan& Plans::plan(const TomlTable& table, std::string_view file_key) {
   return plans_.emplace(path.string(), plan_of_file(path, place, svg_scale_)).first->second;
 }
 
+std::string Plans::sums() const {
+  std::string text;
+  for (const auto& [path, plan] : plans_) text += plan.sum;
+  return text;
+}
+
 const PlanFrame& Plans::frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units) {
   const std::size_t index = plan.svg ? frames_.size() - 1 : static_cast<std::size_t>(units.value_or(units_of(plan)));
   if (!frames_[index]) frames_[index] = frame_of(plan, shapes, units, origin_);

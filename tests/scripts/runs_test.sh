@@ -4,4 +4,4 @@
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 # How quickly a run ends is measured by the long form, on a quiet machine.
-"$here/../../.ci/long/runs" --build "$1" --rounds 8 --kills 40 --terms 2 --slowness 0.1 --patience 4
+"$here/../../.ci/long/runs" --build "$1" --rounds 3 --kills 20 --terms 1 --slowness 0.03 --patience 4

@@ -21,8 +21,8 @@ pipeline::Edition edition_of(const scene::Scene& scene, const std::string& kind)
 void report(const pipeline::Published& published, const pipeline::Edition& edition, const std::filesystem::path& output) {
   const auto tell_of = [&](const std::vector<std::string>& names, std::string_view what) {
     if (names.empty()) return;
-    tell(fmt::format("shatterpave: {}: {} earlier files of the {} of '{}', which was another then: {}\n", output.string(), what,
-                     edition.kind, edition.scene, fmt::join(names, ", ")));
+    tell(fmt::format("shatterpave: {}: {} files of another state of the scene '{}': {}\n", output.string(), what, edition.scene,
+                     fmt::join(names, ", ")));
   };
   tell_of(published.removed, "removed");
   tell_of(published.left, "left, since they were changed by hand,");

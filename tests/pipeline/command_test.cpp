@@ -280,8 +280,7 @@ TEST_F(Command, FilesOfAnotherSeedDoNotStayBesideNewOnes) {
   EXPECT_EQ(other.status, 0);
   EXPECT_EQ(other.out, "out/s.json\n");
   EXPECT_EQ(other.err,
-            "shatterpave: out: removed 3 earlier files of the export of 's', which was another then: s-other.svg, s-path.svg, "
-            "s-window.svg\n");
+            "shatterpave: out: removed files of another state of the scene 's': s-other.svg, s-path.svg, s-window.svg\n");
   EXPECT_EQ(files_in(root / "out").size(), 2U);
 }
 

@@ -251,7 +251,7 @@ TEST_F(Command, FailingMeasureLeavesWhatWasThere) {
 // Two scenes, each with a pavement of the same name: the second is refused, and says why.
 TEST_F(Command, FilesOfAnotherSceneAreNotReplaced) {
   for (const char* const target : {"povray", "textures"}) {
-    const std::string textures = "[pavement.textures]\nsize_px = 64\n";
+    const std::string textures = "[pavement.textures]\nsize_px = 256\n";
     write_file(root / "monday.toml", "[[pavement]]\nname = \"plaza\"\nsize_mm = [2000, 1000]\n" + textures);
     write_file(root / "tuesday.toml", "[[pavement]]\nname = \"plaza\"\nsize_mm = [1000, 2000]\n" + textures);
     const std::string folder = std::string("out-") + target;

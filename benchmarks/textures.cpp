@@ -51,7 +51,7 @@ void paper_example(benchmark::State& state) {
     pavement.textures.size_px = static_cast<std::size_t>(state.range(0));
     paving::StoneLayout layout = paving::laid_stones(pavement, model.seed);
     model.pavements.push_back({std::move(pavement), std::move(layout)});
-    pipeline::written_outputs({{}, textures::texture_files(model)}, folder);
+    pipeline::written_outputs({{}, textures::texture_files(model)}, {"s", "export", ""}, folder);
   }
   std::filesystem::remove_all(folder);
   set_rate(state, static_cast<std::size_t>(state.range(0)));

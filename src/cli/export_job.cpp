@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "cli/report.h"
 #include "cli/terminal.h"
 #include "core/error.h"
 #include "core/parallel.h"
@@ -43,7 +44,8 @@ void export_scene(const Export& job, const AppendTarget& append_target) {
     for (const Target target : job.targets) append_target(model, target, outputs);
   }
   const SignalNotes notes;
-  print_paths(pipeline::written_outputs(outputs, job.output, SignalNotes::received));
+  const pipeline::Edition edition = edition_of(scene, "export");
+  report(pipeline::written_outputs(outputs, edition, job.output, SignalNotes::received), edition, job.output);
 }
 
 }  // namespace shatterpave::cli

@@ -11,7 +11,9 @@
 #include "cli/arguments.h"
 #include "cli/export_job.h"
 #include "cli/raster_jobs.h"
+#include "cli/report.h"
 #include "cli/terminal.h"
+#include "core/cancel.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "export/measures/measures.h"
@@ -59,7 +61,8 @@ void run(const cli::Measure& job, char** /*argv*/) {
     cli::tell("shatterpave: the report was left out, since this build has no plotting library (see docs/measure.md)\n");
   }
   const cli::SignalNotes notes;
-  cli::print_paths(pipeline::written(files, job.output, cli::SignalNotes::received));
+  const pipeline::Edition edition = cli::edition_of(scene, "measures");
+  cli::report(pipeline::written(files, edition, job.output, cli::SignalNotes::received), edition, job.output);
 }
 
 void run(const cli::Show& show, char** /*argv*/) { cli::print(show.text); }
@@ -79,7 +82,7 @@ int main(int argc, char** argv) {
     return failed(input_wrong, error.what());
   } catch (const pipeline::RendererError& error) {
     return failed(renderer_failed, error.what());
-  } catch (const pipeline::Interrupted&) {
+  } catch (const Interrupted&) {
     return cli::end_by_signal();
   } catch (const std::bad_alloc&) {
     std::fputs("shatterpave: out of memory\n", stderr);

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "cli/export_job.h"
+#include "cli/report.h"
 #include "cli/terminal.h"
 #include "core/parallel.h"
 #include "export/povray/povray.h"
@@ -33,15 +34,16 @@ void run_with_rasters(const Render& job, char** /*argv*/) {
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
   tell(scene.notes);
   pipeline::require_output_folder(job.output);
+  const pipeline::Edition edition = edition_of(scene, "picture");
   pipeline::Picture picture;
   {
     ProgressBar bar;
-    const exporting::Model model = pipeline::generated(scene, bar.progress());
+    const pipeline::PovrayStill still = pipeline::povray_still(pipeline::generated(scene, bar.progress()));
     const SignalNotes notes;
-    picture = pipeline::rendered(model, job.options, job.output, bar.progress(), SignalNotes::received);
+    picture = pipeline::rendered(still, job.options, edition, job.output, bar.progress(), SignalNotes::received);
   }
   tell(picture.messages);
-  print_paths(picture.files);
+  report(picture.files, edition, job.output);
 }
 
 }  // namespace shatterpave::cli

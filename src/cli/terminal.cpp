@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -14,7 +15,9 @@ namespace shatterpave::cli {
 
 namespace {
 
-volatile std::sig_atomic_t signal_received = 0;
+// Read by any thread.
+std::atomic<int> signal_received{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void note_signal(int signal) { signal_received = signal; }
 

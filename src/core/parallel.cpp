@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/cancel.h"
 #include "core/error.h"
 
 namespace shatterpave {
@@ -59,7 +60,12 @@ ThreadLimit::ThreadLimit(int threads)
 
 ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
 
-void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) { for_each_index(count, body); }
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+  for_each_index(count, [&](std::size_t i) {
+    stop_if_cancelled();
+    body(i);
+  });
+}
 
 void parallel_for_chunks(std::size_t count, std::size_t chunk, const std::function<void(std::size_t, std::size_t)>& body) {
   ENSURE(chunk > 0);

@@ -19,7 +19,7 @@ class ThreadLimit {
 };
 
 // Calls `body(i)` for every i in [0, count), in any order, on any thread. `body` may write only to slots of its own i.
-// An exception of a call is thrown here.
+// An exception of a call is thrown here. Throws Interrupted, between calls, where a CancelScope says so (core/cancel.h).
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
 // As above for whole chunks [begin, end): for cheap bodies. Chunks are fixed, `chunk` long.

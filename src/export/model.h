@@ -32,9 +32,10 @@ struct PavedArea {
 };
 
 struct Model {
-  std::string name;        // of the scene: stem of the file names
-  std::string setting;     // template of the still
-  std::uint64_t seed = 1;  // for draws that only an exporter needs, such as a stone's place in the relief
+  std::string name;         // of the scene: stem of the file names
+  std::string setting;      // template of the still
+  std::string fingerprint;  // of what it was made from, as in the scene
+  std::uint64_t seed = 1;   // for draws that only an exporter needs, such as a stone's place in the relief
   std::vector<BrokenPane> panes;
   std::vector<PavedArea> pavements;
   // Of the still: whether glass parts colours, and whether light that it bends is thrown on what is behind it.

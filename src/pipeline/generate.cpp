@@ -27,6 +27,7 @@ void require_possible(const scene::Scene& scene) {
 exporting::Model generated(const scene::Scene& scene, const Progress& progress) {
   exporting::Model model;
   model.name = scene.name;
+  model.fingerprint = scene.fingerprint;
   model.setting = scene.still.setting;
   model.dispersion = scene.still.dispersion;
   model.caustics = scene.still.caustics;

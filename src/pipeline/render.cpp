@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <string_view>
 #include <thread>
 
 #include "core/error.h"
+#include "core/sha256.h"
 #include "export/povray/povray.h"
 #include "pipeline/subprocess.h"
+#include "pipeline/write.h"
 #include "relief/raster.h"
 
 namespace shatterpave::pipeline {
@@ -81,6 +84,8 @@ class PovrayOutput {
   std::vector<std::string> messages_;
   std::vector<std::string> banner_;
 };
+
+std::vector<StagedFile> picture_files(const std::string& name) { return {{name + ".exr"}, {name + ".png"}}; }
 
 struct Size {
   int width;
@@ -162,38 +167,65 @@ std::string joined(const std::vector<std::string>& lines, std::size_t last) {
   throw RendererError(text);
 }
 
-void write_scene(const exporting::Model& model, const fs::path& folder) {
-  for (const exporting::OutputFile& file : exporting::povray::povray_files(model)) {
-    const bool still = file.name == model.name + ".pov";
-    write_file(folder / (still ? std::string(still_file) : file.name), file.content);
+relief::Raster read_picture(const fs::path& file) {
+  try {
+    return relief::read_raster(file.string());
+  } catch (const InputError& error) {
+    throw RendererError(fmt::format("POV-Ray left a picture that is not whole: {}", error.what()));
   }
-  ENSURE(fs::exists(folder / still_file));
+}
+
+// As the two files of the picture, in the folder where POV-Ray has left its own.
+std::vector<StagedFile> staged_picture(const fs::path& folder, const std::string& name) {
+  const relief::Raster picture = read_picture(folder / picture_file);
+  std::vector<StagedFile> files = picture_files(name);
+  for (StagedFile& file : files) {
+    const bool exr = &file == files.data();
+    const std::string content = exr ? relief::encoded(picture, relief::RasterFormat::exr_half)
+                                    : relief::encoded(relief::display(picture), relief::RasterFormat::png8);
+    write_file(folder / file.name, content);
+    file.sum = sha256(content);
+  }
+  return files;
 }
 
 }  // namespace
 
-Picture rendered(const exporting::Model& model, const RenderOptions& options, const fs::path& output, const Progress& progress,
-                 const Cancelled& cancelled) {
+PovrayStill povray_still(const exporting::Model& model) {
+  PovrayStill still{model.name, exporting::povray::povray_files(model)};
+  const auto is_still = [&](const exporting::OutputFile& file) { return file.name == model.name + ".pov"; };
+  const auto found = std::ranges::find_if(still.files, is_still);
+  ENSURE(found != still.files.end());
+  found->name = still_file;
+  return still;
+}
+
+Picture rendered(const PovrayStill& still, const RenderOptions& options, const Edition& edition, const fs::path& output,
+                 const Progress& progress, const Cancelled& cancelled) {
   require_output_folder(output);
-  Workplace workplace(output);
+  Workplace workplace(output, cancelled);
   const fs::path& folder = workplace.folder();
-  write_scene(model, folder);
+  require_publishable(picture_files(still.name), edition, workplace, output, cancelled);
+  const auto asked = [&] {
+    workplace.touch();
+    return cancelled && cancelled();
+  };
+  std::optional<CancelScope> scope(asked);
+  for (const exporting::OutputFile& file : still.files) write_file(folder / file.name, file.content);
 
   PovrayOutput messages(progress);
   if (progress) progress("rendering", 0.0);
   // HOME holds the user's povray.ini; POVINI would name another.
   const Subprocess povray{povray_arguments(options), folder, {"HOME=" + folder.string()}, {"POVINI"}};
   const Ending ending = run(
-      povray, [&](std::string_view text) { messages.take(text); }, cancelled);
+      povray, [&](std::string_view text) { messages.take(text); }, asked);
   if (!ending.found || ending.status != 0 || ending.signal != 0 || !fs::exists(folder / picture_file)) {
     throw_renderer_error(ending, messages);
   }
-  const relief::Raster picture = relief::read_raster((folder / picture_file).string());
-  const std::vector<std::string> names = {model.name + ".exr", model.name + ".png"};
-  write_file(folder / names[0], relief::encoded(picture, relief::RasterFormat::exr_half));
-  write_file(folder / names[1], relief::encoded(relief::display(picture), relief::RasterFormat::png8));
-  if (cancelled && cancelled()) throw Interrupted();
-  return {published(workplace, names, output), joined(messages.messages(), messages.messages().size())};
+  const std::vector<StagedFile> files = staged_picture(folder, still.name);
+  stop_if_cancelled();
+  scope.reset();
+  return {published(workplace, files, edition, output, cancelled), joined(messages.messages(), messages.messages().size())};
 }
 
 }  // namespace shatterpave::pipeline

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cancel.h"
 #include "core/progress.h"
 #include "export/model.h"
 #include "pipeline/write.h"
@@ -29,14 +30,21 @@ class RendererError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What POV-Ray reads of a model.
+struct PovrayStill {
+  std::string name;  // of the scene
+  std::vector<exporting::OutputFile> files;
+};
+PovrayStill povray_still(const exporting::Model& model);
+
 struct Picture {
-  std::vector<std::filesystem::path> files;  // NAME.exr, linear half float; NAME.png, sRGB of 8 bits
-  std::string messages;                      // the renderer's warnings, lines ended by '\n'; mostly empty
+  Published files;       // NAME.exr, linear half float; NAME.png, sRGB of 8 bits
+  std::string messages;  // the renderer's warnings, lines ended by '\n'; mostly empty
 };
 
-// Renders the still of the model and leaves the two files, and nothing else, in `output`. POV-Ray runs in a temporary folder
-// with every option that shows in a picture given, so that no user's settings do. The files hold no time.
-Picture rendered(const exporting::Model& model, const RenderOptions& options, const std::filesystem::path& output,
-                 const Progress& progress = {}, const Cancelled& cancelled = {});
+// Renders the still and leaves the two files in `output`, as files of the edition. POV-Ray runs in a temporary folder with
+// every option that shows in a picture given, so that no user's settings do. The files hold no time.
+Picture rendered(const PovrayStill& still, const RenderOptions& options, const Edition& edition,
+                 const std::filesystem::path& output, const Progress& progress = {}, const Cancelled& cancelled = {});
 
 }  // namespace shatterpave::pipeline

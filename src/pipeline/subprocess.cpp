@@ -20,8 +20,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds patience{2000};  // between asking a program to end and ending it
-constexpr milliseconds pause{20};
+constexpr milliseconds patience{150};  // between asking a program to end and ending it: whoever stops this one waits meanwhile
+constexpr milliseconds pause{10};
 
 [[noreturn]] void throw_errno(int error, const char* what) { throw std::system_error(error, std::generic_category(), what); }
 
@@ -105,7 +105,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 // Reads what is there, waiting a little; false at the end.
 bool read_some(int descriptor, const std::function<void(std::string_view)>& output) {
   pollfd waiting{descriptor, POLLIN, 0};
-  const int ready = ::poll(&waiting, 1, 100);
+  const int ready = ::poll(&waiting, 1, 50);
   if (ready == 0 || (ready < 0 && errno == EINTR)) return true;
   std::array<char, 4096> buffer{};
   const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
@@ -121,14 +121,16 @@ int waited(pid_t process) {
   return status;
 }
 
+// The program, and what is in its group: it may be a script that has started the real one.
 void end_process(pid_t process) {
-  ::kill(process, SIGTERM);
-  int status = 0;
-  for (milliseconds spent{0}; spent < patience; spent += pause) {
-    if (::waitpid(process, &status, WNOHANG) == process) return;
+  ::kill(-process, SIGTERM);
+  bool ended = false;
+  for (milliseconds spent{0}; spent < patience && !ended; spent += pause) {
     std::this_thread::sleep_for(pause);
+    siginfo_t gone{};  // not waited for yet, so that the group's number is not given to another
+    ended = ::waitid(P_PID, static_cast<id_t>(process), &gone, WEXITED | WNOHANG | WNOWAIT) == 0 && gone.si_pid == process;
   }
-  ::kill(process, SIGKILL);
+  ::kill(-process, SIGKILL);
   waited(process);
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/write.h"
+#include "core/cancel.h"
 
 namespace shatterpave::pipeline {
 
@@ -26,7 +26,7 @@ struct Ending {
 };
 
 // Runs the program to its end. `output` is called with what it writes to either stream, piece by piece. If `cancelled` says so,
-// the program is ended (SIGTERM, after two seconds SIGKILL) and Interrupted thrown.
+// the program and those that it has started are ended (SIGTERM, a moment later SIGKILL) and Interrupted thrown.
 Ending run(const Subprocess& subprocess, const std::function<void(std::string_view)>& output, const Cancelled& cancelled);
 
 }  // namespace shatterpave::pipeline

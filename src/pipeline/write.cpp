@@ -1,6 +1,4 @@
-// Everything is first written to a temporary folder inside the output folder, so on the same file system. Renaming within one
-// is atomic for each file; for all of them together, the files that are to be replaced are kept as hard links until the last
-// one is in place.
+// Everything is first written to a temporary folder inside the output folder, so on the same file system, and then published.
 #include "pipeline/write.h"
 
 #include <fcntl.h>
@@ -9,10 +7,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
+#include <set>
 #include <system_error>
+#include <utility>
 
 #include "core/error.h"
+#include "core/parallel.h"
+#include "core/sha256.h"
 
 namespace shatterpave::pipeline {
 
@@ -20,151 +21,105 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t bytes_at_once = std::size_t{4} << 20;  // between two questions whether to stop
+
 [[noreturn]] void throw_last_error(const char* what, const fs::path& file) {
   throw fs::filesystem_error(what, file, std::error_code(errno, std::generic_category()));
 }
 
-// The missing folders on the way to `folder`, the outermost first.
-std::vector<fs::path> missing_folders(const fs::path& folder) {
-  std::vector<fs::path> missing;
-  for (fs::path p = folder; !p.empty() && !fs::exists(p); p = p.parent_path()) {
-    missing.push_back(p);
-    if (p == p.parent_path()) break;
+// A file that is open, and closed in the end.
+class OpenFile {
+ public:
+  OpenFile(const fs::path& file, int flags, const char* what) : descriptor_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) throw_last_error(what, file);
   }
-  std::ranges::reverse(missing);
-  return missing;
-}
-
-fs::path kept_copy(const Workplace& workplace, const std::string& name) { return workplace.folder() / (".old-" + name); }
-
-// Puts the old file aside, if there is one.
-void keep_old(const Workplace& workplace, const std::string& name, const fs::path& target) {
-  if (!fs::exists(fs::symlink_status(target))) return;
-  std::error_code error;
-  fs::create_hard_link(target, kept_copy(workplace, name), error);
-  // File systems without hard links: for a moment, there is no file of that name.
-  if (error) fs::rename(target, kept_copy(workplace, name));
-}
-
-void put_back(const Workplace& workplace, const std::string& name, const fs::path& target) {
-  std::error_code ignored;  // nothing more can be done about it, and the first error is the one to tell
-  if (fs::exists(fs::symlink_status(kept_copy(workplace, name), ignored))) {
-    fs::rename(kept_copy(workplace, name), target, ignored);
-  } else {
-    fs::remove(target, ignored);
+  ~OpenFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
   }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+  // Over a network, only this tells whether all was written.
+  bool closed() { return ::close(std::exchange(descriptor_, -1)) == 0; }
+
+ private:
+  int descriptor_;
+};
+
+// The files as they will be staged, without the sums of those that are not made yet.
+std::vector<StagedFile> expected_files(const exporting::Outputs& outputs) {
+  std::vector<StagedFile> files;
+  for (const exporting::OutputFile& file : outputs.files) files.push_back({file.name});
+  parallel_for(files.size(), [&](std::size_t i) { files[i].sum = sha256(outputs.files[i].content); });
+  for (const exporting::FileSet& set : outputs.sets) {
+    for (const std::string& name : set.names) files.push_back({name});
+  }
+  std::set<std::string> names;
+  for (const StagedFile& file : files) {
+    ENSURE(file.name == fs::path(file.name).filename() && file.name.find('\n') == std::string::npos);
+    if (names.insert(file.name).second) continue;
+    throw InputError(fmt::format(
+        "names: expected other ones of the scene and of what is in it, got such that two files are called '{}'", file.name));
+  }
+  return files;
 }
 
 }  // namespace
 
-void require_output_folder(const fs::path& folder) {
-  if (folder.empty()) throw InputError("expected an output folder, got an empty name");
-  for (fs::path p = folder; !p.empty(); p = p.parent_path()) {
-    std::error_code error;
-    const fs::file_status status = fs::status(p, error);
-    if (fs::exists(status)) {
-      if (fs::is_directory(status)) return;
-      throw InputError(Place{folder.string(), 0, 0, ""}, fmt::format("expected an output folder, got a file: {}", p.string()));
-    }
-    if (fs::is_symlink(fs::symlink_status(p, error))) {
-      throw InputError(Place{folder.string(), 0, 0, ""},
-                       fmt::format("expected an output folder, got a link to nothing: {}", p.string()));
-    }
-    if (p == p.parent_path()) return;
-  }
-}
-
-Workplace::Workplace(const fs::path& output) {
-  const fs::path folder = fs::absolute(output).lexically_normal();
-  const std::vector<fs::path> missing = missing_folders(folder);
-  try {
-    for (const fs::path& p : missing) {
-      if (fs::create_directory(p)) made_.push_back(p);
-    }
-    std::string pattern = (folder / ".shatterpave-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw_last_error("cannot write to the output folder", output);
-    temporary_ = pattern;
-  } catch (...) {
-    std::error_code ignored;
-    for (auto p = made_.rbegin(); p != made_.rend(); ++p) fs::remove(*p, ignored);
-    throw;
-  }
-}
-
-Workplace::~Workplace() {
-  std::error_code ignored;
-  fs::remove_all(temporary_, ignored);
-  // Only if empty: someone else may have put files there.
-  for (auto p = made_.rbegin(); p != made_.rend(); ++p) fs::remove(*p, ignored);
-}
-
 void write_file(const fs::path& file, std::string_view content) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw_last_error("cannot write", file);
+  OpenFile open(file, O_WRONLY | O_CREAT | O_TRUNC, "cannot write");
   std::size_t done = 0;
-  int failure = 0;
-  while (done < content.size() && failure == 0) {
-    const ssize_t count = ::write(descriptor, content.data() + done, content.size() - done);
+  while (done < content.size()) {
+    stop_if_cancelled();
+    const ssize_t count = ::write(open.descriptor(), content.data() + done, std::min(content.size() - done, bytes_at_once));
     if (count >= 0) {
       done += static_cast<std::size_t>(count);
     } else if (errno != EINTR) {
-      failure = errno;
+      throw_last_error("cannot write", file);
     }
   }
-  if (::close(descriptor) != 0 && failure == 0) failure = errno;
-  if (failure == 0) return;
-  errno = failure;
-  throw_last_error("cannot write", file);
+  if (!open.closed()) throw_last_error("cannot write", file);
 }
 
-std::vector<fs::path> published(Workplace& workplace, const std::vector<std::string>& names, const fs::path& output) {
-  std::vector<fs::path> paths;
-  try {
-    for (const std::string& name : names) {
-      const fs::path target = output / name;
-      if (fs::is_directory(fs::symlink_status(target))) {
-        throw InputError(Place{target.string(), 0, 0, ""}, "expected a file to write, got a folder");
-      }
-      keep_old(workplace, name, target);
-      paths.push_back(target);
-      fs::rename(workplace.folder() / name, target);
-    }
-  } catch (...) {
-    for (std::size_t i = paths.size(); i-- > 0;) put_back(workplace, names[i], paths[i]);
-    throw;
+std::string sum_of(const fs::path& file) {
+  const OpenFile open(file, O_RDONLY, "cannot read");
+  Sha256 hash;
+  std::vector<char> buffer(bytes_at_once);
+  for (;;) {
+    stop_if_cancelled();
+    const ssize_t count = ::read(open.descriptor(), buffer.data(), buffer.size());
+    if (count == 0) return hash.sum();
+    if (count > 0) hash.add({buffer.data(), static_cast<std::size_t>(count)});
+    if (count < 0 && errno != EINTR) throw_last_error("cannot read", file);
   }
-  workplace.keep();
-  return paths;
 }
 
-std::vector<fs::path> written_outputs(const exporting::Outputs& outputs, const fs::path& output, const Cancelled& cancelled) {
+Published written_outputs(const exporting::Outputs& outputs, const Edition& edition, const fs::path& output,
+                          const Cancelled& cancelled) {
   require_output_folder(output);
-  Workplace workplace(output);
-  std::vector<std::string> names;
-  const auto take = [&](const std::string& name) {
-    ENSURE(name == fs::path(name).filename());
-    if (std::ranges::find(names, name) != names.end()) {
-      throw InputError(fmt::format(
-          "names: expected other ones of the scene and of what is in it, got such that two files are called '{}'", name));
-    }
-    names.push_back(name);
-  };
-  for (const exporting::OutputFile& file : outputs.files) {
-    take(file.name);
-    write_file(workplace.folder() / file.name, file.content);
-    if (cancelled && cancelled()) throw Interrupted();
+  std::vector<StagedFile> files = expected_files(outputs);
+  Workplace workplace(output, cancelled);
+  const fs::path& folder = workplace.folder();
+  require_publishable(files, edition, workplace, output, cancelled);
+  {
+    const CancelScope scope([&] {
+      workplace.touch();
+      return cancelled && cancelled();
+    });
+    for (const exporting::OutputFile& file : outputs.files) write_file(folder / file.name, file.content);
+    for (const exporting::FileSet& set : outputs.sets) set.write(folder.string());
+    parallel_for(files.size(), [&](std::size_t i) {
+      if (files[i].sum.empty()) files[i].sum = sum_of(folder / files[i].name);
+    });
+    stop_if_cancelled();
   }
-  for (const exporting::FileSet& set : outputs.sets) {
-    std::ranges::for_each(set.names, take);
-    set.write(workplace.folder().string());
-    if (cancelled && cancelled()) throw Interrupted();
-  }
-  return published(workplace, names, output);
+  return published(workplace, files, edition, output, cancelled);
 }
 
-std::vector<fs::path> written(const std::vector<exporting::OutputFile>& files, const fs::path& output,
-                              const Cancelled& cancelled) {
-  return written_outputs(exporting::Outputs{files, {}}, output, cancelled);
+Published written(const std::vector<exporting::OutputFile>& files, const Edition& edition, const fs::path& output,
+                  const Cancelled& cancelled) {
+  return written_outputs(exporting::Outputs{files, {}}, edition, output, cancelled);
 }
 
 }  // namespace shatterpave::pipeline

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/cancel.h"
 #include "core/error.h"
 #include "core/functions.h"
 #include "core/parallel.h"
@@ -61,6 +62,7 @@ void transform_rows_back(std::vector<Complex>& field, std::size_t size, std::spa
 
 void transpose(std::vector<Complex>& field, std::size_t size) {
   for (std::size_t row = 0; row < size; ++row) {
+    stop_if_cancelled();
     for (std::size_t column = 0; column < row; ++column) std::swap(field[row * size + column], field[column * size + row]);
   }
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/cancel.h"
 #include "core/error.h"
 #include "core/functions.h"
+#include "core/parallel.h"
 #include "relief/openimageio.h"
 
 namespace shatterpave::relief {
@@ -26,6 +28,18 @@ OIIO::ImageSpec specification(const Raster& raster, RasterFormat format) {
   return spec;
 }
 
+constexpr std::size_t rows_at_once = 64;  // between two questions whether to stop
+
+// Calls `part(begin, end)` for some rows after the others.
+template <class Part>
+bool all_rows(std::size_t height, const Part& part) {
+  for (std::size_t begin = 0; begin < height; begin += rows_at_once) {
+    stop_if_cancelled();
+    if (!part(begin, std::min(height, begin + rows_at_once))) return false;
+  }
+  return true;
+}
+
 float srgb(float linear) {
   const double value = std::clamp(static_cast<double>(linear), 0.0, 1.0);
   return static_cast<float>(value <= 0.0031308 ? 12.92 * value : 1.055 * power(value, 1.0 / 2.4) - 0.055);
@@ -42,7 +56,10 @@ std::string encoded(const Raster& raster, RasterFormat format) {
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(name, &memory);
   ENSURE(output != nullptr);
   ENSURE(output->open(name, specification(raster, format)));
-  ENSURE(output->write_image(OIIO::TypeDesc::FLOAT, raster.values.data()));
+  ENSURE(all_rows(raster.height, [&](std::size_t begin, std::size_t end) {
+    return output->write_scanlines(static_cast<int>(begin), static_cast<int>(end), 0, OIIO::TypeDesc::FLOAT,
+                                   &raster.values[begin * raster.width * raster.channels]);
+  }));
   ENSURE(output->close());
   return {bytes.begin(), bytes.end()};
 }
@@ -59,19 +76,27 @@ Raster read_raster(const std::string& path) {
                 static_cast<std::size_t>(spec.nchannels),
                 {}};
   raster.values.resize(raster.width * raster.height * raster.channels);
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, raster.values.data())) fail(input->geterror());
+  const auto read_rows = [&](std::size_t begin, std::size_t end) {
+    return input->read_scanlines(0, 0, spec.y + static_cast<int>(begin), spec.y + static_cast<int>(end), 0, 0, spec.nchannels,
+                                 OIIO::TypeDesc::FLOAT, &raster.values[begin * raster.width * raster.channels]);
+  };
+  const bool read = spec.tile_width > 0
+                        ? input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, raster.values.data())
+                        : all_rows(raster.height, read_rows);
+  if (!read) fail(input->geterror());
   return raster;
 }
 
 Raster display(const Raster& linear) {
   const std::size_t kept = std::min<std::size_t>(linear.channels, 3);
-  Raster shown{linear.width, linear.height, kept, {}};
-  shown.values.reserve(linear.width * linear.height * kept);
-  for (std::size_t pixel = 0; pixel < linear.width * linear.height; ++pixel) {
-    for (std::size_t channel = 0; channel < kept; ++channel) {
-      shown.values.push_back(srgb(linear.values[pixel * linear.channels + channel]));
+  Raster shown{linear.width, linear.height, kept, std::vector<float>(linear.width * linear.height * kept)};
+  parallel_for(linear.height, [&](std::size_t row) {
+    for (std::size_t pixel = row * linear.width; pixel < (row + 1) * linear.width; ++pixel) {
+      for (std::size_t channel = 0; channel < kept; ++channel) {
+        shown.values[pixel * kept + channel] = srgb(linear.values[pixel * linear.channels + channel]);
+      }
     }
-  }
+  });
   return shown;
 }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/cancel.h"
 #include "core/error.h"
 #include "relief/openimageio.h"
 
@@ -104,6 +105,7 @@ class RasterFile::Writer {
   void write_held() {
     const std::size_t length = level_.width * level_.channels;
     while (!held_.empty()) {
+      stop_if_cancelled();
       const std::size_t rows = std::min<std::size_t>(tile_size, level_.height - done_);
       if (held_.size() < rows * length) return;
       if (!output_->write_tiles(0, static_cast<int>(level_.width), static_cast<int>(done_), static_cast<int>(done_ + rows), 0,

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "core/sha256.h"
 #include "scene/input_file.h"
 
 namespace shatterpave::scene {
@@ -225,9 +226,10 @@ Plan plan_of_file(const std::filesystem::path& file, const Place& place, double 
   }
   const std::string text = input_text(file, largest_outline_bytes, place);
   const PlanFormat format = named ? *named : format_of_text(text);
-  if (format == PlanFormat::svg) return plan_of_svg(text, file.string(), svg_scale);
-  require_utf8(text, file.string());
-  return plan_of_geojson(text, file.string());
+  if (format == PlanFormat::geojson) require_utf8(text, file.string());
+  Plan plan = format == PlanFormat::svg ? plan_of_svg(text, file.string(), svg_scale) : plan_of_geojson(text, file.string());
+  plan.sum = sha256(text);
+  return plan;
 }
 
 }  // namespace shatterpave::scene

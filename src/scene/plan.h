@@ -80,6 +80,7 @@ struct PlanShape {
 
 struct Plan {
   std::string file;
+  std::string sum;  // SHA-256 of its content, if it was read from a file
   bool svg = false;
   std::optional<PlanUnits> units;  // if the file says so
   std::optional<InputError>

@@ -102,6 +102,12 @@ const Plan& Plans::plan(const TomlTable& table, std::string_view file_key) {
   return plan;
 }
 
+std::string Plans::sums() const {
+  std::string text;
+  for (const auto& [path, plan] : plans_) text += plan.sum;
+  return text;
+}
+
 PlanFrame Plans::frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units) {
   const PlanUnits used = units ? *units : units_of(plan);
   const auto shared = std::ranges::find_if(

@@ -25,6 +25,8 @@ class Plans {
   std::vector<Note>& notes() { return notes_; }
 
   const Plan& plan(const TomlTable& table, std::string_view file_key);
+  // The sums of all plans that were read, one after the other.
+  std::string sums() const;
   PlanFrame frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units);
 
  private:

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 #include "core/embedded.h"
+#include "core/sha256.h"
 #include "scene/apply_override.h"
 #include "scene/input_file.h"
 #include "scene/pane_section.h"
@@ -83,6 +85,16 @@ Still still_of(const TomlTable& root) {
   return still;
 }
 
+// What the scene says and its plans hold: not how its file is laid out, nor where it lies.
+std::string fingerprint_of(const toml::table& table, const Plans& plans) {
+  std::ostringstream said;
+  said << toml::json_formatter(table);
+  Sha256 hash;
+  hash.add_text(said.str());
+  hash.add_text(plans.sums());
+  return hash.sum();
+}
+
 Scene scene_of_table(const toml::table& table, const std::filesystem::path& file) {
   const std::string file_name = file.string();
   const TomlTable root(table, file_name, "", {"seed", "plan", "pane", "pavement", "still"});
@@ -98,6 +110,7 @@ Scene scene_of_table(const toml::table& table, const std::filesystem::path& file
     throw InputError(Place{file_name, 0, 0, ""}, "expected a [[pane]] or a [[pavement]], got neither");
   }
   scene.still = still_of(root);
+  scene.fingerprint = fingerprint_of(table, plans);
   return scene;
 }
 

@@ -27,8 +27,14 @@ struct Scene {
   std::vector<paving::Pavement> pavements;
   Still still;
   std::vector<Note> notes;  // what was read otherwise than it was written, or has no effect; each once
+  // SHA-256 of all that the scene was read from: the file as it stands with its overrides, but for comments and spaces, and its
+  // plans. Two scenes are the same if what they ask for is, whatever this says.
+  std::string fingerprint;
 
-  bool operator==(const Scene&) const = default;
+  bool operator==(const Scene& other) const {
+    return name == other.name && seed == other.seed && panes == other.panes && pavements == other.pavements &&
+           still == other.still;
+  }
 };
 
 }  // namespace shatterpave::scene

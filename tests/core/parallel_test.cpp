@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/cancel.h"
 #include "core/error.h"
 #include "core/random.h"
 
@@ -41,6 +42,23 @@ TEST(ParallelFor, ThrowsWhatItsBodyThrows) {
                               if (i == 57) throw std::out_of_range("57");
                             }),
                std::out_of_range);
+}
+
+TEST(ParallelFor, StopsWhereItIsAskedTo) {
+  std::atomic<int> calls = 0;
+  const auto work = [&] { parallel_for(1000, [&](std::size_t) { parallel_for(1000, [&](std::size_t) { ++calls; }); }); };
+  {
+    const CancelScope scope([&] { return calls > 500; });
+    EXPECT_THROW(work(), Interrupted);
+    EXPECT_THROW(stop_if_cancelled(), Interrupted);
+    const CancelScope inner{{}};
+    EXPECT_NO_THROW(stop_if_cancelled());
+  }
+  EXPECT_LT(calls, 2000);
+  EXPECT_NO_THROW(stop_if_cancelled());
+  calls = 0;
+  work();
+  EXPECT_EQ(calls, 1000000);
 }
 
 TEST(ParallelFor, ResultDoesNotShowTheNumberOfThreads) {

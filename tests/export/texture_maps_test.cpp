@@ -310,7 +310,7 @@ std::map<std::string, std::string> files_of(const Model& model, int threads) {
   const ThreadLimit limit(threads);
   const fs::path folder = fs::temp_directory_path() / ("texture-maps-test-" + std::to_string(::getpid()));
   std::map<std::string, std::string> files;
-  for (const fs::path& path : pipeline::written_outputs({{}, texture_files(model)}, folder)) {
+  for (const fs::path& path : pipeline::written_outputs({{}, texture_files(model)}, {"s", "export", ""}, folder).paths) {
     files[path.filename().string()] = bytes_of(path);
   }
   fs::remove_all(folder);

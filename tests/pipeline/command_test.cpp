@@ -49,6 +49,7 @@ class Command : public testing::Test {
     ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
     root = pattern;
     write_file(root / "s.toml", scene);
+    fs::create_directory(root / "same");
   }
   void TearDown() override { fs::remove_all(root); }
 
@@ -277,6 +278,42 @@ TEST_F(Command, FailingMeasureLeavesWhatWasThere) {
   EXPECT_EQ(files_in(root), before);
 }
 
+// Two scenes, each with a pavement of the same name: the second is refused, and says why.
+TEST_F(Command, FilesOfAnotherSceneAreNotReplaced) {
+  for (const char* const target : {"povray", "textures"}) {
+    const std::string textures = "[pavement.textures]\nsize_px = 256\n";
+    write_file(root / "monday.toml", "[[pavement]]\nname = \"plaza\"\nsize_mm = [2000, 1000]\n" + textures);
+    write_file(root / "tuesday.toml", "[[pavement]]\nname = \"plaza\"\nsize_mm = [1000, 2000]\n" + textures);
+    const std::string folder = std::string("out-") + target;
+    EXPECT_EQ(command({"export", "monday.toml", "-o", folder, "--target", target}).status, 0);
+    const Files before = files_in(root / folder);
+    const Outcome refused = command({"export", "tuesday.toml", "-o", folder, "--target", target});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(refused.err.starts_with(folder + "/plaza")) << refused.err;
+    EXPECT_NE(refused.err.find("got one of the export of the scene 'monday'"), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_EQ(files_in(root / folder), before);
+    // By another name it goes beside it, and the first scene may be written again.
+    EXPECT_EQ(command({"export", "tuesday.toml", "-o", folder, "--target", target, "--set", "pavement[0].name=square"}).status,
+              0);
+    EXPECT_EQ(command({"export", "monday.toml", "-o", folder, "--target", target, "--seed", "9"}).status, 0);
+  }
+}
+
+TEST_F(Command, FilesOfAnotherSeedDoNotStayBesideNewOnes) {
+  EXPECT_EQ(command({"export", "s.toml", "-o", "out", "--target", "json", "--target", "svg"}).status, 0);
+  // The same state of the scene, said in another way.
+  write_file(root / "same/s.toml", "# A remark.\n" + std::string(scene));
+  EXPECT_EQ(command({"export", "same/s.toml", "-o", "out", "--target", "json", "--seed", "3"}).err, "");
+  EXPECT_TRUE(fs::exists(root / "out/s-path.svg"));
+  const Outcome other = command({"export", "s.toml", "-o", "out", "--target", "json", "--seed", "4"});
+  EXPECT_EQ(other.status, 0);
+  EXPECT_EQ(other.out, "out/s.json\n");
+  EXPECT_EQ(other.err,
+            "shatterpave: out: removed files of another state of the scene 's': s-other.svg, s-path.svg, s-window.svg\n");
+  EXPECT_EQ(files_in(root / "out").size(), 2U);
+}
+
 TEST_F(Command, ShowsHelpAndVersion) {
   const Outcome help = command({"--help"});
   EXPECT_EQ(help.status, 0);
@@ -320,11 +357,13 @@ TEST_F(Command, MissingRendererEndsWithThree) {
   EXPECT_FALSE(fs::exists(root / "out"));
 }
 
-// Ctrl-C while the renderer is at work: it is ended, and nothing is left.
+// Ctrl-C while the renderer is at work: it is ended, and nothing is left. It does not listen, and is a script that has started
+// another program.
 TEST_F(FailingRenderer, InterruptEndsTheRendererAndLeavesNothing) {
   fs::create_directories(root / "bin");
   const fs::path started = root / "started";
-  const std::string script = "#!/bin/sh\necho $$ > " + started.string() + "\nexec sleep 60\n";
+  const std::string script =
+      "#!/bin/sh\ntrap '' INT TERM HUP\nsleep 60 &\necho $! > " + started.string() + "\nwhile :; do wait; done\n";
   write_file(root / "bin/povray", script);
   fs::permissions(root / "bin/povray", fs::perms::owner_all);
   const std::string command = support::command();
@@ -344,7 +383,13 @@ TEST_F(FailingRenderer, InterruptEndsTheRendererAndLeavesNothing) {
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
-  EXPECT_NE(::kill(renderer, 0), 0) << "the renderer still runs";
+  bool runs = true;  // as an orphan it stays for a moment after its end
+  for (int i = 0; i < 100 && runs; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const std::string state = text_of("/proc/" + std::to_string(renderer) + "/stat");
+    runs = !state.empty() && state.find(") Z") == std::string::npos;
+  }
+  EXPECT_FALSE(runs) << "the renderer still runs";
   EXPECT_FALSE(fs::exists(root / "out"));
 }
 

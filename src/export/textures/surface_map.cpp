@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/cancel.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "export/textures/bed.h"
@@ -320,7 +321,9 @@ SurfaceMap surface_map(const Surface& surface, const PixelGrid& grid, std::size_
   map.halo = halo;
   const std::size_t pixels = map.row_length() * map.rows();
   map.height_mm.resize(pixels);
+  stop_if_cancelled();
   map.stone.resize(pixels);
+  stop_if_cancelled();
   map.cover.resize(pixels);
   const Drawing drawing(surface, samples, map);
   parallel_for(drawing.bands(), [&](std::size_t band) { drawing.draw_band(band); });

@@ -4,8 +4,6 @@
 
 namespace shatterpave {
 
-namespace {
-
 std::string located(const Place& place, const std::string& message) {
   std::string text = place.file;
   if (place.line > 0) text += fmt::format(":{}:{}", place.line, place.column);
@@ -13,9 +11,8 @@ std::string located(const Place& place, const std::string& message) {
   return text.empty() ? message : fmt::format("{}: {}", text, message);
 }
 
-}  // namespace
-
-InputError::InputError(const Place& place, const std::string& message) : std::runtime_error(located(place, message)) {}
+InputError::InputError(const Place& place, const std::string& message)
+    : std::runtime_error(located(place, message)), place_(place), message_(message) {}
 
 void throw_broken_invariant(const char* condition, const char* file, int line) {
   throw BrokenInvariant(fmt::format("{}:{}: broken invariant: {}", file, line, condition));

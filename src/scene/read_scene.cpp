@@ -9,6 +9,7 @@
 #include "core/embedded.h"
 #include "scene/apply_override.h"
 #include "scene/input_file.h"
+#include "scene/keys.h"
 #include "scene/pane_section.h"
 #include "scene/pavement_section.h"
 #include "scene/toml_table.h"
@@ -64,7 +65,7 @@ constexpr std::string_view setting_ending = "_still.pov";
 
 Still still_of(const TomlTable& root) {
   Still still;
-  const auto table = root.table("still", {"setting", "dispersion", "caustics"});
+  const auto table = root.table("still", still_keys);
   const auto setting = table ? table->text("setting") : std::nullopt;
   if (table) {
     still.dispersion = table->flag("dispersion").value_or(false);
@@ -84,7 +85,7 @@ Still still_of(const TomlTable& root) {
 
 Scene scene_of_table(const toml::table& table, const std::filesystem::path& file) {
   const std::string file_name = file.string();
-  const TomlTable root(table, file_name, "", {"seed", "plan", "pane", "pavement", "still"});
+  const TomlTable root(table, file_name, "", root_keys);
   Scene scene;
   scene.name = scene_name(file);
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();

@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "core/vec.h"
+#include "core/words.h"
 
 namespace shatterpave::scene {
 
@@ -54,8 +55,11 @@ class TomlTable {
   bool has(std::string_view key) const { return table_.contains(key); }
   const std::string& file() const { return file_; }
   const std::string& path() const { return path_; }
+  const toml::table& node() const { return table_; }
   // Of the value of `key`; where there is none, of the table.
   Place place(std::string_view key) const;
+  // Of the value at a path of keys, `surface.inset` or `impact[1]`; nothing where there is none.
+  std::optional<Place> place_of_given(std::string_view path) const;
   // Of the table.
   Place place() const { return place_of(table_, file_, path_); }
 
@@ -90,8 +94,5 @@ class TomlTable {
   const std::string& file_;
   std::string path_;
 };
-
-// The one of `candidates` that is most like `word` (by edits), or "" if none is near.
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace shatterpave::scene

@@ -28,6 +28,7 @@ void append_without_rasters(const exporting::Model& model, Target target, export
 void export_scene(const Export& job, const AppendTarget& append_target) {
   const ThreadLimit limit(job.threads);
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
+  tell(scene.notes);
   pipeline::require_output_folder(job.output);
   exporting::Model model;
   exporting::Outputs outputs;

@@ -36,13 +36,18 @@ void run(const cli::Export& job, char** argv) {
   }
 }
 
-void run(const cli::Check& job, char** /*argv*/) { pipeline::require_possible(scene::scene_of_file(job.scene, job.overrides)); }
+void run(const cli::Check& job, char** /*argv*/) {
+  const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
+  pipeline::require_possible(scene);
+  cli::tell(scene.notes);
+}
 
 void run(const cli::Render& job, char** argv) { cli::run_with_rasters(job, argv); }
 
 void run(const cli::Measure& job, char** /*argv*/) {
   const ThreadLimit limit(job.threads);
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
+  cli::tell(scene.notes);
   pipeline::require_output_folder(job.output);
   std::vector<exporting::OutputFile> files;
   {

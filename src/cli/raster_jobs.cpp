@@ -31,6 +31,7 @@ void run_with_rasters(const Export& job, char** /*argv*/) {
 void run_with_rasters(const Render& job, char** /*argv*/) {
   const ThreadLimit limit(job.options.threads);
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
+  tell(scene.notes);
   pipeline::require_output_folder(job.output);
   pipeline::Picture picture;
   {

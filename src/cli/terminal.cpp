@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -34,6 +35,14 @@ void print_paths(const std::vector<std::filesystem::path>& paths) {
 }
 
 void tell(std::string_view text) { static_cast<void>(written(stderr, text)); }
+
+void tell(const std::vector<Note>& notes) {
+  constexpr std::size_t most_lines = 20;
+  std::string lines;
+  for (std::size_t i = 0; i < std::min(notes.size(), most_lines); ++i) lines += located(notes[i]) + "\n";
+  if (notes.size() > most_lines) lines += fmt::format("note: and {} more of the kind\n", notes.size() - most_lines);
+  if (!lines.empty()) tell(lines);
+}
 
 ProgressBar::ProgressBar() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/notes.h"
 #include "core/progress.h"
 
 namespace shatterpave::cli {
@@ -15,6 +16,8 @@ void print(std::string_view text);
 void print_paths(const std::vector<std::filesystem::path>& paths);
 // To standard error, as far as that works.
 void tell(std::string_view text);
+// A line for each note, to standard error; of many the first ones and how many more there are.
+void tell(const std::vector<Note>& notes);
 
 // A bar on a terminal; nothing elsewhere. It is taken away when it dies.
 class ProgressBar {

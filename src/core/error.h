@@ -17,9 +17,12 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
+// `message` with the parts of its place that are known before it: `file:line:column: key: message`.
+std::string located(const Place& place, const std::string& message);
+
 // Bad input or usage: exit status 2. `what()` is one line, `file:line:column: key: expected …, got …`, with the parts that
 // are known. A room that knows no file gives the thing's name and the member's path for a key, `window.impact[1].at_mm`; who
-// has the scene file puts the place there (scene/places.h).
+// has the scene file puts the place there (scene/key_places.h).
 class InputError : public std::runtime_error {
  public:
   InputError(const Place& place, const std::string& message);
@@ -33,9 +36,6 @@ class InputError : public std::runtime_error {
   Place place_;
   std::string message_;
 };
-
-// "file:line:column: key: message", with the parts that are known.
-std::string located(const Place& place, const std::string& message);
 
 // A promise of this program that does not hold: exit status 1. Never the user's fault.
 class BrokenInvariant : public std::logic_error {

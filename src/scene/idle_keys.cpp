@@ -36,13 +36,13 @@ bool is_within(std::string_view key, const std::vector<std::string_view>& told) 
 }
 
 template <typename Facts>
-void tell_by(std::span<const Rule<Facts>> rules, const Facts& facts, const TellIdle& tell) {
+void tell_by(std::span<const Rule<Facts>> rules, const Facts& facts, std::vector<Note>& notes) {
   std::vector<std::string_view> told;
   for (const Rule<Facts>& rule : rules) {
     if (is_within(rule.key, told)) continue;
     const std::optional<Place> place = facts.table.place_of_given(rule.key);
     if (!place || !rule.is_idle(facts)) continue;
-    tell(*place, fmt::format("has no effect {}", rule.why));
+    add_note({*place, fmt::format("has no effect {}", rule.why)}, notes);
     told.push_back(rule.key);
   }
 }
@@ -317,23 +317,23 @@ const std::vector<Rule<SceneFacts>> scene_rules = {
 
 }  // namespace
 
-void tell_idle_keys(const TomlTable& table, const glass::Pane& pane, const TellIdle& tell) {
+void tell_idle_keys(const TomlTable& table, const glass::Pane& pane, std::vector<Note>& notes) {
   const PaneFacts facts{table, pane};
-  tell_by<PaneFacts>(pane_rules, facts, tell);
+  tell_by<PaneFacts>(pane_rules, facts, notes);
   const std::vector<TomlTable> impacts = table.tables("impact", pane.impacts.size(), impact_keys);
   for (std::size_t i = 0; i < impacts.size(); ++i) {
     if (i > 0 && facts.is_tempered()) {
-      tell(impacts[i].place(), "has no effect on tempered glass, which breaks at its first impact");
+      add_note({impacts[i].place(), "has no effect on tempered glass, which breaks at its first impact"}, notes);
       continue;
     }
-    tell_by<ImpactFacts>(impact_rules, {impacts[i], facts, pane.impacts[i], i}, tell);
+    tell_by<ImpactFacts>(impact_rules, {impacts[i], facts, pane.impacts[i], i}, notes);
   }
 }
 
-void tell_idle_keys(const TomlTable& table, const paving::Pavement& pavement, bool is_flight, const TellIdle& tell) {
-  tell_by<PavementFacts>(pavement_rules, {table, pavement, is_flight}, tell);
+void tell_idle_keys(const TomlTable& table, const paving::Pavement& pavement, bool is_flight, std::vector<Note>& notes) {
+  tell_by<PavementFacts>(pavement_rules, {table, pavement, is_flight}, notes);
 }
 
-void tell_idle_keys(const TomlTable& root, const TellIdle& tell) { tell_by<SceneFacts>(scene_rules, {root}, tell); }
+void tell_idle_keys(const TomlTable& root, std::vector<Note>& notes) { tell_by<SceneFacts>(scene_rules, {root}, notes); }
 
 }  // namespace shatterpave::scene

@@ -4,24 +4,20 @@
 // `shards.enabled = false` alone says itself that the rest of its table has no effect, and is not told.
 #pragma once
 
-#include <functional>
-#include <string>
+#include <vector>
 
-#include "core/error.h"
+#include "core/notes.h"
 #include "glass/pane.h"
 #include "paving/pavement.h"
 #include "scene/toml_table.h"
 
 namespace shatterpave::scene {
 
-// Is given the key's place, and what to say of it: "has no effect beside radial_count".
-using TellIdle = std::function<void(const Place& place, const std::string& message)>;
-
 // The keys of a [[pane]], of which `pane` was made.
-void tell_idle_keys(const TomlTable& table, const glass::Pane& pane, const TellIdle& tell);
+void tell_idle_keys(const TomlTable& table, const glass::Pane& pane, std::vector<Note>& notes);
 // The keys of a [[pavement]], of which `pavement` was made, before it was laid out as a flight of steps if it `is_flight`.
-void tell_idle_keys(const TomlTable& table, const paving::Pavement& pavement, bool is_flight, const TellIdle& tell);
+void tell_idle_keys(const TomlTable& table, const paving::Pavement& pavement, bool is_flight, std::vector<Note>& notes);
 // The keys of the whole scene: [still] and [plan].
-void tell_idle_keys(const TomlTable& root, const TellIdle& tell);
+void tell_idle_keys(const TomlTable& root, std::vector<Note>& notes);
 
 }  // namespace shatterpave::scene

@@ -7,6 +7,7 @@
 
 #include "geometry/lattice.h"
 #include "glass/presets.h"
+#include "scene/idle_keys.h"
 #include "scene/input_file.h"
 #include "scene/keys.h"
 #include "scene/section.h"
@@ -287,17 +288,17 @@ glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
   read_tempering(table, pane.tempering);
   read_shards(table, pane.shards);
   read_crack_body(table, pane);
+  tell_idle_keys(table, pane, plans.notes());
   return pane;
 }
 
 }  // namespace
 
-std::vector<glass::Pane> panes_of(const TomlTable& root, Plans& plans, Names& names) {
-  std::vector<glass::Pane> panes;
+void read_panes(const TomlTable& root, Plans& plans, Names& names, Scene& scene) {
   for (const TomlTable& table : root.tables("pane", most_panes, pane_keys)) {
-    panes.push_back(pane_of(table, plans, names));
+    scene.panes.push_back(pane_of(table, plans, names));
+    scene.pane_places.emplace_back(table);
   }
-  return panes;
 }
 
 }  // namespace shatterpave::scene

@@ -9,6 +9,7 @@
 #include "geometry/lattice.h"
 #include "paving/steps.h"
 #include "paving/stone_sizes.h"
+#include "scene/idle_keys.h"
 #include "scene/keys.h"
 #include "scene/section.h"
 #include "scene/stone_keys.h"
@@ -35,7 +36,7 @@ paving::GuidesDirection guides_of(const TomlTable& table) {
   return direction;
 }
 
-// Keys of kinds other than the chosen one are checked like all others, but have no effect: so kinds can be tried in turn.
+// Keys of kinds other than the chosen one are checked like all others; that they have no effect is told (idle_keys.h).
 paving::Direction direction_of(const TomlTable& pavement, Plans& plans) {
   const auto table = pavement.table("direction", direction_keys);
   if (!table) return paving::ConstantDirection{};
@@ -178,12 +179,13 @@ paving::Pavement pavement_of(const TomlTable& table, Plans& plans) {
 }
 
 // A pavement for each of the areas of a table, or for each step of those.
-void append_pavements(const TomlTable& table, Plans& plans, Names& names, std::vector<paving::Pavement>& pavements) {
+void append_pavements(const TomlTable& table, Plans& plans, Names& names, Scene& scene) {
   name_of(table);
   std::vector<geometry::Region> areas = without_holes_of_plan(table, plans, outlines_of(table, plans));
   paving::Pavement pavement = pavement_of(table, plans);
   limit_stones(table, pavement, areas);
   const std::optional<paving::Flight> flight = flight_of(table, pavement, areas);
+  tell_idle_keys(table, pavement, flight.has_value(), plans.notes());
   const std::string name = pavement.name;
   std::vector<paving::Pavement> parts;
   for (geometry::Region& area : areas) {
@@ -193,27 +195,27 @@ void append_pavements(const TomlTable& table, Plans& plans, Names& names, std::v
     } else {
       parts.push_back(pavement);
     }
-    if (pavements.size() + parts.size() > most_pavements) {
+    if (scene.pavements.size() + parts.size() > most_pavements) {
       refuse(table.place(), fmt::format("at most {} areas in all", most_pavements), "more");
     }
   }
+  const KeyPlaces places(table);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     paving::Pavement& part = parts[i];
     part.name = i == 0 ? name : fmt::format("{}_{}", name, i + 1);
     names.add(part.name, i == 0 ? table.path() : fmt::format("part {} of {}", i + 1, table.path()), table.place("name"));
     if (part.kerb.width_mm > 0.0) names.add(paving::kerb_name(part), table.path(), table.place("name"));
-    pavements.push_back(std::move(part));
+    scene.pavements.push_back(std::move(part));
+    scene.pavement_places.push_back(places);
   }
 }
 
 }  // namespace
 
-std::vector<paving::Pavement> pavements_of(const TomlTable& root, Plans& plans, Names& names) {
-  std::vector<paving::Pavement> pavements;
+void read_pavements(const TomlTable& root, Plans& plans, Names& names, Scene& scene) {
   for (const TomlTable& table : root.tables("pavement", most_pavements, pavement_keys)) {
-    append_pavements(table, plans, names, pavements);
+    append_pavements(table, plans, names, scene);
   }
-  return pavements;
 }
 
 }  // namespace shatterpave::scene

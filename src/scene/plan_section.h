@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/notes.h"
 #include "geometry/polygon.h"
 #include "scene/plan_frame.h"
 #include "scene/toml_table.h"
@@ -18,13 +19,17 @@ namespace shatterpave::scene {
 // places to each other: the first shapes that are taken fix it, or [plan] does.
 class Plans {
  public:
-  // `root` is the root of the scene, which may have a table [plan].
-  explicit Plans(const TomlTable& root);
+  // `root` is the root of the scene, which may have a table [plan]. `notes` is where it is told what of a plan is read
+  // otherwise than it was written; it must outlive this.
+  Plans(const TomlTable& root, std::vector<Note>& notes);
+
+  std::vector<Note>& notes() { return notes_; }
 
   const Plan& plan(const TomlTable& table, std::string_view file_key);
   const PlanFrame& frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units);
 
  private:
+  std::vector<Note>& notes_;
   std::optional<vec2> origin_;
   double svg_scale_ = 1.0;
   std::map<std::string, Plan> plans_;

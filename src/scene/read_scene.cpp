@@ -8,6 +8,7 @@
 
 #include "core/embedded.h"
 #include "scene/apply_override.h"
+#include "scene/idle_keys.h"
 #include "scene/input_file.h"
 #include "scene/keys.h"
 #include "scene/pane_section.h"
@@ -72,14 +73,18 @@ Still still_of(const TomlTable& root) {
     still.caustics = table->flag("caustics").value_or(false);
   }
   if (!setting || setting->empty()) return still;
-  std::string names;
+  std::vector<std::string_view> names;
   for (const EmbeddedFile& file : embedded_files()) {
     if (!file.name.ends_with(setting_ending)) continue;
     const std::string_view name = file.name.substr(0, file.name.rfind('.'));
     if (name == *setting) still.setting = *setting;
-    names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", name);
+    names.push_back(name);
   }
-  if (still.setting.empty()) refuse(table->place("setting"), names, in_quotes(*setting));
+  if (still.setting.empty()) {
+    const std::string_view meant = nearest(*setting, names);
+    refuse(table->place("setting"), "a setting of " + listed(names, "or"),
+           in_quotes(*setting) + (meant.empty() ? std::string() : fmt::format("; did you mean {}?", meant)));
+  }
   return still;
 }
 
@@ -90,14 +95,15 @@ Scene scene_of_table(const toml::table& table, const std::filesystem::path& file
   scene.name = scene_name(file);
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
   scene.seed = static_cast<std::uint64_t>(root.whole_number("seed", 0, most).value_or(1));
-  Plans plans(root);
+  Plans plans(root, scene.notes);
   Names names;
-  scene.panes = panes_of(root, plans, names);
-  scene.pavements = pavements_of(root, plans, names);
+  read_panes(root, plans, names, scene);
+  read_pavements(root, plans, names, scene);
   if (scene.panes.empty() && scene.pavements.empty()) {
     throw InputError(Place{file_name, 0, 0, ""}, "expected a [[pane]] or a [[pavement]], got neither");
   }
   scene.still = still_of(root);
+  tell_idle_keys(root, scene.notes);
   return scene;
 }
 

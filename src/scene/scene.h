@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "core/notes.h"
 #include "glass/pane.h"
 #include "paving/pavement.h"
+#include "scene/key_places.h"
 
 namespace shatterpave::scene {
 
@@ -25,6 +27,10 @@ struct Scene {
   std::vector<glass::Pane> panes;
   std::vector<paving::Pavement> pavements;
   Still still;
+  // Where the keys of each pane and pavement stand, one for each; empty where the scene was read from no file.
+  std::vector<KeyPlaces> pane_places;
+  std::vector<KeyPlaces> pavement_places;
+  std::vector<Note> notes;  // what was read otherwise than it was written, or has no effect; each once
 
   bool operator==(const Scene&) const = default;
 };

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 #include "cli/export_job.h"
 #include "cli/terminal.h"
+#include "core/notes.h"
 #include "core/parallel.h"
 #include "export/povray/povray.h"
 #include "export/textures/textures.h"
 #include "pipeline/generate.h"
+#include "pipeline/outlook.h"
 #include "pipeline/render.h"
 #include "pipeline/write.h"
 #include "scene/read_scene.h"
@@ -34,12 +37,15 @@ void run_with_rasters(const Render& job, char** /*argv*/) {
   tell(scene.notes);
   pipeline::require_output_folder(job.output);
   pipeline::Picture picture;
+  std::vector<Note> empty;
   {
     ProgressBar bar;
     const exporting::Model model = pipeline::generated(scene, bar.progress());
+    empty = pipeline::emptiness(scene, model);
     const SignalNotes notes;
     picture = pipeline::rendered(model, job.options, job.output, bar.progress(), SignalNotes::received);
   }
+  tell(empty);
   tell(picture.messages);
   print_paths(picture.files);
 }

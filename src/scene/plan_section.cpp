@@ -64,7 +64,7 @@ bool has_any(const TomlTable& table, const PlanKeys& keys) {
 }  // namespace
 
 Plans::Plans(const TomlTable& root, std::vector<Note>& notes) : notes_(notes) {
-  const auto table = root.table("plan", {"origin", "svg_scale"});
+  const auto table = root.table("plan", plan_keys);
   if (!table) return;
   constexpr double most = std::numeric_limits<double>::max();
   origin_ = table->point("origin", {-most, most});

@@ -77,8 +77,7 @@ double number_of(const toml::node& node, const Range& range, const Place& place)
   return value;
 }
 
-TomlTable::TomlTable(const toml::table& table, const std::string& file, std::string path,
-                     std::initializer_list<std::string_view> keys)
+TomlTable::TomlTable(const toml::table& table, const std::string& file, std::string path, Keys keys)
     : table_(table), file_(file), path_(std::move(path)) {
   refuse_unknown(keys);
 }
@@ -88,7 +87,7 @@ std::string TomlTable::path_of(std::string_view key) const {
 }
 
 // The first unknown key of the file, with the known one that was likely meant.
-void TomlTable::refuse_unknown(std::initializer_list<std::string_view> keys) const {
+void TomlTable::refuse_unknown(Keys keys) const {
   std::optional<Place> first;
   std::string_view name;
   for (const auto& [key, value] : table_) {
@@ -105,7 +104,7 @@ void TomlTable::refuse_unknown(std::initializer_list<std::string_view> keys) con
     name = key.str();
   }
   if (!first) return;
-  throw InputError(*first, fmt::format("unknown key; {}", hint(name, keys)));
+  throw InputError(*first, fmt::format("unknown key; {}", hint(name, {keys.begin(), keys.end()})));
 }
 
 Place TomlTable::place(std::string_view key) const {
@@ -213,15 +212,14 @@ std::optional<std::size_t> TomlTable::choice(std::string_view key, std::initiali
          description(*node) + (meant.empty() ? std::string() : fmt::format("; did you mean \"{}\"?", meant)));
 }
 
-std::optional<TomlTable> TomlTable::table(std::string_view key, std::initializer_list<std::string_view> keys) const {
+std::optional<TomlTable> TomlTable::table(std::string_view key, Keys keys) const {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_table()) refuse(place(key), fmt::format("a table [{}]", path_of(key)), description(*node));
   return TomlTable(*node->as_table(), file_, path_of(key), keys);
 }
 
-std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t limit,
-                                         std::initializer_list<std::string_view> keys) const {
+std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t limit, Keys keys) const {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
   const toml::array* array = node->as_array();

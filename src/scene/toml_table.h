@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/vec.h"
 #include "core/words.h"
+#include "scene/keys.h"
 
 namespace shatterpave::scene {
 
@@ -50,7 +51,7 @@ class TomlTable {
  public:
   // `path` is the table's own key, "" for the root; `keys` are all keys that it may have: any other is refused here. The
   // table and `file` must outlive this.
-  TomlTable(const toml::table& table, const std::string& file, std::string path, std::initializer_list<std::string_view> keys);
+  TomlTable(const toml::table& table, const std::string& file, std::string path, Keys keys);
 
   bool has(std::string_view key) const { return table_.contains(key); }
   const std::string& file() const { return file_; }
@@ -81,14 +82,14 @@ class TomlTable {
   void read(std::string_view key, const Range& range, double& value) const { value = number(key, range).value_or(value); }
 
   // The table of that key; nothing where it is missing.
-  std::optional<TomlTable> table(std::string_view key, std::initializer_list<std::string_view> keys) const;
+  std::optional<TomlTable> table(std::string_view key, Keys keys) const;
   // The tables of an array of tables, each with its path; empty where the key is missing. At most `limit` of them.
-  std::vector<TomlTable> tables(std::string_view key, std::size_t limit, std::initializer_list<std::string_view> keys) const;
+  std::vector<TomlTable> tables(std::string_view key, std::size_t limit, Keys keys) const;
 
  private:
   const toml::node* find(std::string_view key) const { return table_.get(key); }
   std::string path_of(std::string_view key) const;
-  void refuse_unknown(std::initializer_list<std::string_view> keys) const;
+  void refuse_unknown(Keys keys) const;
 
   const toml::table& table_;
   const std::string& file_;

@@ -38,12 +38,14 @@ struct Requests {
 };
 
 void add(CLI::App& command, const char* name, Texts& texts, const char* value, const char* sentence) {
-  command.add_option(name, texts, sentence)->type_name(value)->allow_extra_args(false);
+  command.add_option(name, texts, sentence)
+      ->type_name(value)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_scene_options(CLI::App& command, Requests& requests) {
-  // CLI11 gives all words that are no options to this one, whatever their number.
-  command.add_option("SCENE.toml", requests.scenes, "The scene file")->type_name("");
+  add(command, "SCENE.toml", requests.scenes, "", "The scene file");
   add(command, "--set", requests.sets, "KEY=VALUE",
       "Set a value of the scene: KEY=VALUE, such as pane[0].thickness_mm=3; may be repeated");
   add(command, "--seed", requests.seeds, "N", "The seed, instead of the scene's");
@@ -121,11 +123,6 @@ int threads_of(const Requests& requests) {
 
 std::filesystem::path scene_of(const Requests& requests, const std::string& command) {
   if (requests.scenes.empty()) refuse_usage(command, "a scene file, SCENE.toml", "none");
-  if (requests.scenes.size() > 1) {
-    refuse_usage(
-        command, "one scene file",
-        fmt::format("{}: {} and {}", requests.scenes.size(), in_quotes(requests.scenes[0]), in_quotes(requests.scenes[1])));
-  }
   if (requests.scenes.front().empty()) refuse_usage(command, "a scene file, SCENE.toml", "an empty name");
   return requests.scenes.front();
 }

@@ -129,10 +129,18 @@ void require_known_words(const CLI::App& app, const Texts& words) {
     if (known->get_name() == words.front()) command = known;
   }
   if (command == nullptr) refuse_command(app, words.front());
+  Texts scenes;
+  bool only_scenes = false;
   for (std::size_t i = 1; i < words.size(); ++i) {
     const std::string& word = words[i];
-    if (word == "--") return;
-    if (word.size() < 2 || word.front() != '-') continue;
+    if (word == "--" && !only_scenes) {
+      only_scenes = true;
+      continue;
+    }
+    if (only_scenes || word.size() < 2 || word.front() != '-') {
+      scenes.push_back(word);
+      continue;
+    }
     const OptionWord given = option_word(word);
     if (!is_option(*command, given.name)) refuse_option(app, *command, given.name);
     const CLI::Option& option = *option_of(*command, given.name);
@@ -140,6 +148,9 @@ void require_known_words(const CLI::App& app, const Texts& words) {
     require_value(*command, option, given, i + 1 < words.size() ? std::optional(words[i + 1]) : std::nullopt);
     if (!given.value) ++i;
   }
+  if (scenes.size() < 2) return;
+  refuse_usage(command->get_name(), "one scene file",
+               fmt::format("{}: {} and {}", scenes.size(), in_quotes(scenes[0]), in_quotes(scenes[1])));
 }
 
 void refuse_parsed(const CLI::ParseError& error) {

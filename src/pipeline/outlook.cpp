@@ -78,8 +78,8 @@ std::string counted(std::size_t count, std::string_view thing) {
 }
 
 std::string area_text(double mm2) {
-  const double m2 = mm2 * 1e-6;
-  return fmt::format("{:.{}f} m²", m2, m2 < 0.1 ? 4 : m2 < 100.0 ? 1 : 0);
+  if (mm2 < 1e5) return fmt::format("{:.0f} mm²", mm2);
+  return fmt::format("{:.{}f} m²", mm2 * 1e-6, mm2 < 1e8 ? 1 : 0);
 }
 
 std::string text_of(const glass::Pane& pane) {

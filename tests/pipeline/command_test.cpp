@@ -143,8 +143,8 @@ TEST_F(Command, PrintsOneLineForEachFileAndNothingElse) {
   const Outcome check = command({"check", "s.toml"});
   EXPECT_EQ(check.status, 0);
   EXPECT_EQ(check.out,
-            "s.toml: 2 panes (window, 300 × 300 mm, 1 impact; other, 200 × 150 mm, 1 impact), 1 pavement (path, 1.0 m², about "
-            "110 stones)\n");
+            "s.toml: 2 panes (window, 300 × 300 mm, 1 impact; other, 200 × 150 mm, 1 impact), 1 pavement (path, 1.1 m², about "
+            "100 stones)\n");
   EXPECT_EQ(check.err, "");
 }
 
@@ -343,7 +343,7 @@ TEST_F(Command, RefusalsOfLayingHaveTheirPlaces) {
          "laid.toml:6:12: pavement[0].textures.seamless: expected a bond that repeats (not ashlar or crazy), and rows in one "
          "direction");
   expect("textures = {seamless = true, tile_mm = [3, 3]}\n",
-         "laid.toml:4:40: pavement[0].textures.tile_mm: expected a tile that whole periods of the bond fit, such as [1080.000, "
+         "laid.toml:4:40: pavement[0].textures.tile_mm: expected a tile that whole periods of the bond fit, such as [108.000, "
          "1080.000], got [3, 3]");
 }
 

@@ -68,8 +68,10 @@ double expected_stones(const Pavement& pavement) {
   return count * (1.0 - pavement.variation.missing);
 }
 
+// To two digits.
 std::string rounded_count(double count) {
-  const double unit = count < 100.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(count)) - 1.0);
+  double unit = 1.0;
+  while (count >= 100.0 * unit) unit *= 10.0;
   return fmt::format("{:.0f}", std::round(count / unit) * unit);
 }
 

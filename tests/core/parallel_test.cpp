@@ -83,7 +83,7 @@ TEST(ThreadLimit, OfTwoUsesTwoThreads) {
   EXPECT_TRUE(together);
 }
 
-TEST(Heartbeat, BeatsUntilItsEndFromAThreadOfItsOwn) {
+TEST(ParallelHeartbeat, BeatsUntilItsEndFromAThreadOfItsOwn) {
   std::atomic<int> beats = 0;
   {
     const Heartbeat heartbeat(std::chrono::milliseconds(1), [&] { ++beats; });
@@ -96,7 +96,7 @@ TEST(Heartbeat, BeatsUntilItsEndFromAThreadOfItsOwn) {
 }
 
 // It ends at once, not at its next beat.
-TEST(Heartbeat, EndsBetweenBeats) {
+TEST(ParallelHeartbeat, EndsBetweenBeats) {
   const auto begin = std::chrono::steady_clock::now();
   {
     const Heartbeat heartbeat(std::chrono::hours(1), [] {});

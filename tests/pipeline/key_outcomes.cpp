@@ -110,7 +110,7 @@ void expect_effect_or_word(const std::string& text, const std::vector<Surroundin
       const auto is_of_it = [&](const std::string& set) { return set.starts_with(change.key + "="); };
       if (std::ranges::any_of(around.sets, is_of_it)) continue;
       const auto begins_it = [&](const std::string& key) { return change.key.starts_with(key); };
-      if (std::ranges::any_of(around.by_chance, begins_it)) continue;
+      if (std::ranges::any_of(around.untried, begins_it)) continue;
       const KeyOutcome result = outcome(text, around, change);
       if (result.has_effect) alive.insert(change.key);
       if (result.refused) continue;

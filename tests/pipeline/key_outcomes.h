@@ -17,7 +17,7 @@ struct Surroundings {
   std::string name;
   std::vector<std::string> sets;  // KEY=VALUE
   std::vector<std::string>
-      by_chance{};  // keys (or their beginnings) whose effect hangs on what is drawn: nothing is asked of them here
+      untried{};  // keys (or their beginnings) whose effect hangs on what is drawn: nothing is asked of them here
 };
 
 struct KeyOutcome {

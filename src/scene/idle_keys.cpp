@@ -154,8 +154,6 @@ const std::vector<Rule<PaneFacts>> pane_rules = {
     {"rings.bow", all_interrupted, "beside interruption = 1"},
     {"tempering.surface_stress_mpa", [](const PaneFacts& f) { return f.pane.tempering.count_per_square.has_value(); },
      "beside count_per_square"},
-    {"tempering.splinter_reach_mm", [](const PaneFacts& f) { return f.pane.tempering.splinter_ratio == 1.0; },
-     "beside splinter_ratio = 1"},
     {"shards.chip_mm", [](const PaneFacts& f) { return f.pane.shards && f.pane.shards->chips_per_m == 0.0; },
      "beside chips_per_m = 0"},
     {"shards.chips_per_m", [](const PaneFacts& f) { return f.pane.shards && f.pane.shards->chip_mm == 0.0; },
@@ -208,6 +206,7 @@ struct PavementFacts {
     return std::holds_alternative<Kind>(pavement.direction);
   }
   bool is_straight() const { return runs<paving::ConstantDirection>(); }
+  bool bends() const { return bond() == Bond::packed || bond() == Bond::running || bond() == Bond::stack; }
   bool has_body() const { return pavement.body.finish != paving::Finish::none; }
 };
 
@@ -229,7 +228,8 @@ const std::vector<Rule<PavementFacts>> pavement_rules = {
     {"stone_preset", [](const PavementFacts& f) { return f.has("stone_mm") && f.has("joint_mm"); },
      "beside stone_mm and joint_mm"},
     {"bond_offset", [](const PavementFacts& f) { return f.bond() != Bond::running; }, "without bond = \"running\""},
-    {"bond_turn_deg", [](const PavementFacts& f) { return f.bond() == Bond::packed; }, "beside bond = \"packed\""},
+    {"bond_turn_deg", [](const PavementFacts& f) { return f.bond() == Bond::packed && !f.pavement.textures.seamless; },
+     "beside bond = \"packed\""},
     {"bond_turn_deg",
      [](const PavementFacts& f) { return !f.is_straight() && (f.bond() == Bond::running || f.bond() == Bond::stack); },
      "on rows that follow the direction"},
@@ -240,6 +240,7 @@ const std::vector<Rule<PavementFacts>> pavement_rules = {
     {"direction.angle_deg", [](const PavementFacts& f) { return !f.is_straight(); }, "without kind = \"constant\""},
     {"direction.centre_mm", [](const PavementFacts& f) { return !f.runs<paving::RadialDirection>(); },
      "without kind = \"radial\""},
+    {"direction.centre_mm", [](const PavementFacts& f) { return !f.bends(); }, "on a bond that cannot bend"},
     {"direction.guides_mm", without_guides, without_guides_kind},
     {"direction.guides_file", without_guides, without_guides_kind},
     {"direction.guides_feature", without_guides, without_guides_kind},
@@ -263,6 +264,7 @@ const std::vector<Rule<PavementFacts>> pavement_rules = {
     {"variation.offset_mm", without_joints, without_a_joint},
     {"variation.sink_mm", none_laid, beside_none_laid},
     {"variation.tilt_deg", none_laid, beside_none_laid},
+    {"relief", [](const PavementFacts& f) { return f.is_flight && !f.has_body(); }, "beside [pavement.steps] without a finish"},
     {"relief.hurst", [](const PavementFacts& f) { return f.pavement.relief.rms_mm == 0.0; }, "beside rms_mm = 0"},
     {"ground.fall_deg", [](const PavementFacts& f) { return f.pavement.ground.fall_percent == 0.0; }, "without fall_percent"},
     {"ground.settlement_mm", in_a_flight, beside_steps},

@@ -56,13 +56,15 @@ Files shards(const exporting::Model& model) {
   return std::ranges::any_of(model.panes, has_shards) ? taken(exporting::obj_files(model)) : Files();
 }
 
-// Target by target, the quick ones first: most keys show there.
-bool differ(const exporting::Model& one, const exporting::Model& other) {
+// Target by target, the quick ones first: most keys show there. Textures are slow, and draw nothing that others do not show,
+// but for what their own keys say.
+bool differ(const exporting::Model& one, const exporting::Model& other, bool with_textures) {
   const std::vector<std::function<Files(const exporting::Model&)>> targets = {
       [](const auto& model) { return taken({exporting::json_file(model)}); },
       [](const auto& model) { return taken(exporting::svg_files(model)); },
-      [](const auto& model) { return taken(exporting::povray::povray_files(model)); }, shards, textures};
-  return std::ranges::any_of(targets, [&](const auto& target) { return target(one) != target(other); });
+      [](const auto& model) { return taken(exporting::povray::povray_files(model)); }, shards};
+  if (std::ranges::any_of(targets, [&](const auto& target) { return target(one) != target(other); })) return true;
+  return with_textures && textures(one) != textures(other);
 }
 
 bool begins(const std::string& key, const std::string& table) {
@@ -96,7 +98,8 @@ KeyOutcome outcome(const std::string& text, const Surroundings& around, const Ch
     sets.back() = change.key + "=" + change.other;
     const scene::Scene second = scene_with(text, sets, file);
     result.told = told_of(second, change.key);
-    result.has_effect = differ(generated(first), generated(second));
+    const auto is_of_textures = [](const std::string& set) { return set.find(".textures") != std::string::npos; };
+    result.has_effect = differ(generated(first), generated(second), std::ranges::any_of(sets, is_of_textures));
   } catch (const InputError&) {
     result.refused = true;
   }

@@ -27,21 +27,56 @@ wrong_usage() {
   exit 2
 }
 
+# meant WORD NAME…: "; did you mean NAME?" for the one name that begins as the word does, but for its last two letters or more.
+meant() {
+  local word=$1 name found= least=0
+  shift
+  [[ $word != --* ]] || least=3
+  while ((${#word} > least)); do
+    for name in "$@"; do
+      [[ $name == "$word"* ]] || continue
+      [[ -z $found ]] || return 0
+      found=$name
+    done
+    [[ -z $found ]] || { printf '; did you mean %s?' "$found"; return 0; }
+    word=${word%?}
+  done
+}
+
+known=(--quality --size --seed --output --help)
+
+# What is wrong is told before anything is installed or built. The command checks the rest.
+require_value() {
+  case $1 in
+    --quality) [[ $2 == draft || $2 == final ]] || wrong_usage "--quality: expected draft or final, got \"$2\"$(meant "$2" draft final)" ;;
+    --size) [[ $2 =~ ^[1-9][0-9]*x[1-9][0-9]*$ ]] || wrong_usage "--size: expected WIDTHxHEIGHT in pixels, such as 640x480, got \"$2\"" ;;
+    --seed) [[ $2 =~ ^[0-9]+$ ]] || wrong_usage "--seed: expected a whole number from 0, got \"$2\"" ;;
+    --output) [[ -n $2 ]] || wrong_usage "--output: expected a folder, got an empty name" ;;
+  esac
+}
+
 scenes=() options=() output=$root/out
+declare -A given
 while (($#)); do
   case $1 in
     --help) usage; exit 0 ;;
     --quality | --size | --seed | --output)
-      (($# > 1)) || wrong_usage "$1: a value is missing"
+      (($# > 1)) || wrong_usage "$1: expected a value after it, got nothing"
+      [[ -z ${given[$1]:-} ]] || wrong_usage "$1: expected it once, got it twice"
+      given[$1]=1
+      require_value "$1" "$2"
       if [[ $1 == --output ]]; then output=$2; else options+=("$1" "$2"); fi
       shift ;;
     --) shift; scenes+=("$@"); break ;;
-    -*) wrong_usage "unknown option $1" ;;
+    -*) wrong_usage "expected an option of ${known[*]}, got \"$1\"$(meant "$1" "${known[@]}")" ;;
     *) scenes+=("$1") ;;
   esac
   shift
 done
 ((${#scenes[@]})) || scenes=("$root/scenes/shattered_window.toml" "$root/scenes/stone_path.toml")
+for scene in "${scenes[@]}"; do
+  [[ -e $scene && ! -d $scene ]] || wrong_usage "$scene: expected a scene file, got $([[ -d $scene ]] && echo "a folder" || echo "none of that name")"
+done
 
 declare -A folder_of
 for scene in "${scenes[@]}"; do

@@ -4,11 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
-#include <map>
+#include <array>
+#include <optional>
 #include <string_view>
-#include <system_error>
 
+#include "cli/usage.h"
 #include "core/error.h"
 #include "glass/counts.h"
 
@@ -16,62 +16,90 @@ namespace shatterpave::cli {
 
 namespace {
 
-const std::map<std::string, Target> target_names = {{"povray", Target::povray},
-                                                    {"json", Target::json},
-                                                    {"svg", Target::svg},
-                                                    {"textures", Target::textures},
-                                                    {"obj", Target::obj}};
-
-const std::map<std::string, pipeline::Quality> quality_names = {{"draft", pipeline::Quality::draft},
-                                                                {"final", pipeline::Quality::final}};
-
-// Takes a name of `values` for the number of its value.
-template <typename Value>
-CLI::Validator one_of(const std::map<std::string, Value>& values) {
-  return {[&values](std::string& text) {
-            if (const auto at = values.find(text); at != values.end()) {
-              text = std::to_string(static_cast<int>(at->second));
-              return std::string();
-            }
-            std::string names;
-            for (const auto& [name, value] : values) names += (names.empty() ? "" : " or ") + name;
-            return fmt::format("expected {}, got {}", names, text);
-          },
-          ""};
-}
+// In the order of their enumerations.
+constexpr std::array<std::string_view, 5> target_names = {"povray", "json", "svg", "textures", "obj"};
+constexpr std::array<std::string_view, 2> quality_names = {"draft", "final"};
 
 constexpr int most_threads = 1024;
 constexpr int most_pixels = 16384;  // a side; POV-Ray keeps the whole picture in memory
 
-// What is given as text and turned into values after CLI11 is done with it.
-struct SceneOptions {
-  std::string scene;
-  std::string seed;
-  std::vector<std::string> sets;
+// All that may be asked for, as it was written: CLI11 only takes the words apart, so that messages are ours.
+struct Requests {
+  Texts scenes;
+  Texts sets;
+  Texts seeds;
+  Texts outputs;
+  Texts targets;
+  Texts threads;
+  Texts qualities;
+  Texts sizes;
+  Texts seed_counts;
+  Texts radials;
 };
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
-  command.add_option("SCENE.toml", options.scene, "The scene file")->required();
-  command
-      .add_option("--set", options.sets, "Set a value of the scene: KEY=VALUE, such as pane[0].thickness_mm=3; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  command.add_option("--seed", options.seed, "The seed, instead of the scene's")->type_name("N");
+void add(CLI::App& command, const char* name, Texts& texts, const char* value, const char* sentence) {
+  command.add_option(name, texts, sentence)
+      ->type_name(value)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void add_threads(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Number of threads; 0, the default, takes all processors")
-      ->type_name("N")
-      ->check(CLI::Range(0, most_threads));
+void add_scene_options(CLI::App& command, Requests& requests) {
+  add(command, "SCENE.toml", requests.scenes, "", "The scene file");
+  add(command, "--set", requests.sets, "KEY=VALUE",
+      "Set a value of the scene: KEY=VALUE, such as pane[0].thickness_mm=3; may be repeated");
+  add(command, "--seed", requests.seeds, "N", "The seed, instead of the scene's");
 }
 
-void add_output(CLI::App& command, std::string& output) {
-  command.add_option("-o", output, "The output folder; made if it is missing")->type_name("DIR")->required();
+void add_threads(CLI::App& command, Requests& requests) {
+  add(command, "--threads", requests.threads, "N", "Number of threads; 0, the default, takes all processors");
 }
 
-std::vector<scene::Override> overrides_of(const SceneOptions& options) {
+void add_output(CLI::App& command, Requests& requests) {
+  add(command, "-o", requests.outputs, "DIR", "The output folder; made if it is missing");
+}
+
+void add_targets(CLI::App& command, Requests& requests) {
+  add(command, "--target", requests.targets, "TARGET", "povray (the default), json, svg, textures or obj; may be repeated");
+}
+
+void add_export(CLI::App& app, Requests& requests) {
+  CLI::App* command = app.add_subcommand("export", "Write what renderers and other programs read");
+  add_scene_options(*command, requests);
+  add_output(*command, requests);
+  add_targets(*command, requests);
+  add_threads(*command, requests);
+}
+
+void add_check(CLI::App& app, Requests& requests) {
+  CLI::App* command = app.add_subcommand("check", "Validate a scene file, and say in a line what it holds; writes nothing");
+  add_scene_options(*command, requests);
+  add_targets(*command, requests);
+}
+
+void add_render(CLI::App& app, Requests& requests) {
+  CLI::App* command = app.add_subcommand("render", "Render the scene's still by POV-Ray: DIR/SCENE.exr and DIR/SCENE.png");
+  add_scene_options(*command, requests);
+  add_output(*command, requests);
+  add(*command, "--quality", requests.qualities, "QUALITY", "draft (the default, 640x480) or final (1200x900)");
+  add(*command, "--size", requests.sizes, "WxH", "Size of the picture in pixels");
+  add_threads(*command, requests);
+}
+
+void add_measure(CLI::App& app, Requests& requests) {
+  CLI::App* command = app.add_subcommand(
+      "measure", "Measure the scene's panes and pavements over many seeds, and hold them against their sources");
+  add_scene_options(*command, requests);
+  add_output(*command, requests);
+  add(*command, "--seeds", requests.seed_counts, "N", "Number of seeds, from the scene's (or --seed) on; default 1");
+  add(*command, "--radials", requests.radials, "LOW..HIGH",
+      "Numbers of radial cracks, from LOW for the first seed to HIGH for the last, instead of what the scene says");
+  add_threads(*command, requests);
+}
+
+std::vector<scene::Override> overrides_of(const Requests& requests) {
   std::vector<scene::Override> overrides;
-  for (const std::string& set : options.sets) {
+  for (const std::string& set : requests.sets) {
     const std::size_t equals = set.find('=');
     const std::string origin = "--set " + set;
     if (equals == std::string::npos || equals == 0) {
@@ -79,126 +107,112 @@ std::vector<scene::Override> overrides_of(const SceneOptions& options) {
     }
     overrides.push_back({origin, set.substr(0, equals), set.substr(equals + 1)});
   }
-  if (!options.seed.empty()) overrides.push_back({"--seed " + options.seed, "seed", options.seed});
+  const auto seed = the_only(requests.seeds, "--seed");
+  if (seed) overrides.push_back({"--seed " + *seed, "seed", *seed});
   return overrides;
 }
 
-std::vector<Target> targets_of(std::vector<Target> given) {
-  if (given.empty()) given.push_back(Target::povray);
-  std::ranges::sort(given);
-  given.erase(std::unique(given.begin(), given.end()), given.end());
-  return given;
+std::vector<Target> targets_of(const Texts& given) {
+  std::vector<Target> targets;
+  for (const std::string& name : given) targets.push_back(static_cast<Target>(choice_of(name, "--target", target_names)));
+  if (targets.empty()) targets.push_back(Target::povray);
+  std::ranges::sort(targets);
+  targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+  return targets;
 }
 
-std::string one_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  std::ranges::replace(text, '\n', ' ');
-  return text;
+int threads_of(const Requests& requests) {
+  const auto text = the_only(requests.threads, "--threads");
+  return text ? static_cast<int>(whole_number_of(*text, "--threads", {0, most_threads})) : 0;
+}
+
+std::filesystem::path scene_of(const Requests& requests, const std::string& command) {
+  if (requests.scenes.empty()) refuse_usage(command, "a scene file, SCENE.toml", "none");
+  if (requests.scenes.front().empty()) refuse_usage(command, "a scene file, SCENE.toml", "an empty name");
+  return requests.scenes.front();
+}
+
+std::filesystem::path output_of(const Requests& requests, const std::string& command) {
+  const auto folder = the_only(requests.outputs, "-o");
+  if (!folder) refuse_usage(command, "-o DIR, the output folder", "none");
+  return *folder;
 }
 
 // WIDTHxHEIGHT in pixels.
-void read_size(const std::string& text, pipeline::RenderOptions& options) {
-  if (text.empty()) return;
-  const char* end = text.data() + text.size();
-  const auto [x, width_error] = std::from_chars(text.data(), end, options.width);
-  const bool has_x = width_error == std::errc{} && x != end && *x == 'x';
-  const auto [rest, height_error] = std::from_chars(has_x ? x + 1 : end, end, options.height);
-  const auto in_range = [](int pixels) { return pixels >= 1 && pixels <= most_pixels; };
-  if (!has_x || height_error != std::errc{} || rest != end || !in_range(options.width) || !in_range(options.height)) {
-    throw InputError(fmt::format("shatterpave: --size: expected WxH with 1 to {} pixels each, got \"{}\"", most_pixels, text));
+void read_size(const Requests& requests, pipeline::RenderOptions& options) {
+  const auto text = the_only(requests.sizes, "--size");
+  if (!text) return;
+  const std::size_t x = text->find('x');
+  const auto side = [&](std::string_view digits) { return whole_number(digits, {1, most_pixels}); };
+  const auto width = side(text->substr(0, x));
+  const auto height = x == std::string::npos ? std::nullopt : side(text->substr(x + 1));
+  if (!width || !height) {
+    refuse_usage("--size", fmt::format("WIDTHxHEIGHT in pixels, each from 1 to {}, such as 640x480", most_pixels),
+                 in_quotes(*text));
   }
+  options.width = static_cast<int>(*width);
+  options.height = static_cast<int>(*height);
 }
 
 // LOW..HIGH, numbers of radial cracks.
-void read_sweep(const std::string& text, pipeline::MeasureOptions& options) {
-  if (text.empty()) return;
-  measure::Sweep sweep;
-  const char* end = text.data() + text.size();
-  const auto [dots, low_error] = std::from_chars(text.data(), end, sweep.low);
-  const bool has_dots = low_error == std::errc{} && std::string_view(dots, end).starts_with("..");
-  const auto [rest, high_error] = std::from_chars(has_dots ? dots + 2 : end, end, sweep.high);
-  if (!has_dots || high_error != std::errc{} || rest != end || sweep.low < 1 || sweep.high < sweep.low ||
-      sweep.high > glass::largest_radial_count) {
-    throw InputError(fmt::format("shatterpave: --radials: expected LOW..HIGH, whole numbers from 1 to {}, got \"{}\"",
-                                 glass::largest_radial_count, text));
+void read_sweep(const Requests& requests, pipeline::MeasureOptions& options) {
+  const auto text = the_only(requests.radials, "--radials");
+  if (!text) return;
+  constexpr std::string_view dots = "..";
+  const std::size_t at = text->find(dots);
+  const WholeRange range{1, glass::largest_radial_count};
+  const auto low = whole_number(text->substr(0, at), range);
+  const auto high = at == std::string::npos ? std::nullopt : whole_number(text->substr(at + dots.size()), range);
+  const std::string expected = fmt::format("LOW..HIGH, whole numbers from 1 to {}", glass::largest_radial_count);
+  if (!low || !high) refuse_usage("--radials", expected, in_quotes(*text));
+  if (*low > *high) {
+    refuse_usage("--radials", expected + ", the lower one first",
+                 fmt::format("{}; did you mean {}..{}?", in_quotes(*text), *high, *low));
   }
-  options.sweep = sweep;
+  options.sweep = measure::Sweep{static_cast<int>(*low), static_cast<int>(*high)};
 }
 
-// All that may be asked for, as CLI11 fills it in.
-struct Requests {
-  SceneOptions scene;
-  std::string output;
-  std::vector<Target> targets;
-  pipeline::RenderOptions render;
-  std::string size;
-  pipeline::MeasureOptions measure;
-  std::string radials;
-  int threads = 0;
-};
-
-void add_targets(CLI::App& command, Requests& requests) {
-  command.add_option("--target", requests.targets, "povray (the default), json, svg, textures or obj; may be repeated")
-      ->type_name("TARGET")
-      ->allow_extra_args(false)
-      ->transform(one_of(target_names));
+Command export_of(const Requests& requests) {
+  return Export{scene_of(requests, "export"), overrides_of(requests), output_of(requests, "export"),
+                targets_of(requests.targets), threads_of(requests)};
 }
 
-CLI::App* add_export(CLI::App& app, Requests& requests) {
-  CLI::App* command = app.add_subcommand("export", "Write what renderers and other programs read");
-  add_scene_options(*command, requests.scene);
-  add_output(*command, requests.output);
-  add_targets(*command, requests);
-  add_threads(*command, requests.threads);
-  return command;
+Command render_of(const Requests& requests) {
+  Render job{scene_of(requests, "render"), overrides_of(requests), output_of(requests, "render"), {}};
+  job.options.threads = threads_of(requests);
+  if (const auto quality = the_only(requests.qualities, "--quality")) {
+    job.options.quality = static_cast<pipeline::Quality>(choice_of(*quality, "--quality", quality_names));
+  }
+  read_size(requests, job.options);
+  return job;
 }
 
-CLI::App* add_check(CLI::App& app, Requests& requests) {
-  CLI::App* command = app.add_subcommand("check", "Validate a scene file; writes nothing");
-  add_scene_options(*command, requests.scene);
-  add_targets(*command, requests);
-  return command;
-}
-
-CLI::App* add_render(CLI::App& app, Requests& requests) {
-  CLI::App* command = app.add_subcommand("render", "Render the scene's still by POV-Ray: DIR/SCENE.exr and DIR/SCENE.png");
-  add_scene_options(*command, requests.scene);
-  add_output(*command, requests.output);
-  command->add_option("--quality", requests.render.quality, "draft (the default, 640x480) or final (1200x900)")
-      ->type_name("QUALITY")
-      ->transform(one_of(quality_names));
-  command->add_option("--size", requests.size, "Size of the picture in pixels")->type_name("WxH");
-  add_threads(*command, requests.threads);
-  return command;
-}
-
-CLI::App* add_measure(CLI::App& app, Requests& requests) {
-  CLI::App* command = app.add_subcommand(
-      "measure", "Measure the scene's panes and pavements over many seeds, and hold them against their sources");
-  add_scene_options(*command, requests.scene);
-  add_output(*command, requests.output);
-  command->add_option("--seeds", requests.measure.seeds, "Number of seeds, from the scene's (or --seed) on; default 1")
-      ->type_name("N")
-      ->check(CLI::Range(std::size_t{1}, pipeline::most_seeds));
-  command
-      ->add_option("--radials", requests.radials,
-                   "Numbers of radial cracks, from LOW for the first seed to HIGH for the last, instead of what the scene says")
-      ->type_name("LOW..HIGH");
-  add_threads(*command, requests.threads);
-  return command;
+Command measure_of(const Requests& requests) {
+  pipeline::MeasureOptions options;
+  const std::filesystem::path scene = scene_of(requests, "measure");
+  options.scene_file = scene.string();
+  if (const auto seeds = the_only(requests.seed_counts, "--seeds")) {
+    const WholeRange range{1, static_cast<std::int64_t>(pipeline::most_seeds)};
+    options.seeds = static_cast<std::size_t>(whole_number_of(*seeds, "--seeds", range));
+  }
+  read_sweep(requests, options);
+  const std::filesystem::path output = output_of(requests, "measure");
+  return Measure{scene, overrides_of(requests), output, options, threads_of(requests)};
 }
 
 }  // namespace
 
 Command command_of(int argc, const char* const* argv) {
   CLI::App app("Shattered window glass and stone paving for offline renderers.", "shatterpave");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.set_version_flag("--version", "shatterpave " SHATTERPAVE_VERSION);
   Requests requests;
-  const CLI::App* export_command = add_export(app, requests);
-  const CLI::App* check_command = add_check(app, requests);
-  const CLI::App* measure_command = add_measure(app, requests);
+  add_export(app, requests);
+  add_check(app, requests);
+  add_measure(app, requests);
   add_render(app, requests);
+  const Texts words(argv + 1, argv + argc);
+  require_known_words(app, words);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -206,22 +220,14 @@ Command command_of(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion& version) {
     return Show{std::string(version.what()) + "\n"};
   } catch (const CLI::ParseError& error) {
-    throw InputError(fmt::format("shatterpave: {} (see shatterpave --help)", one_line(error.what())));
+    refuse_parsed(error);
   }
-  const std::filesystem::path scene = requests.scene.scene;
-  std::vector<scene::Override> overrides = overrides_of(requests.scene);
-  if (check_command->parsed()) return Check{scene, std::move(overrides), targets_of(std::move(requests.targets))};
-  if (export_command->parsed()) {
-    return Export{scene, std::move(overrides), requests.output, targets_of(std::move(requests.targets)), requests.threads};
+  const std::string command = app.get_subcommands().front()->get_name();
+  if (command == "check") {
+    return Check{scene_of(requests, command), overrides_of(requests), targets_of(requests.targets)};
   }
-  if (measure_command->parsed()) {
-    requests.measure.scene_file = scene.string();
-    read_sweep(requests.radials, requests.measure);
-    return Measure{scene, std::move(overrides), requests.output, requests.measure, requests.threads};
-  }
-  requests.render.threads = requests.threads;
-  read_size(requests.size, requests.render);
-  return Render{scene, std::move(overrides), requests.output, requests.render};
+  if (command == "export") return export_of(requests);
+  return command == "measure" ? measure_of(requests) : render_of(requests);
 }
 
 }  // namespace shatterpave::cli

@@ -1,16 +1,23 @@
 #include "cli/export_job.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "core/error.h"
+#include "core/notes.h"
 #include "core/parallel.h"
 #include "export/json/geometry_json.h"
 #include "export/obj/shards_obj.h"
 #include "export/svg/drawing_svg.h"
 #include "pipeline/generate.h"
+#include "pipeline/outlook.h"
 #include "pipeline/write.h"
 #include "scene/read_scene.h"
 
@@ -30,22 +37,46 @@ void append_without_rasters(const exporting::Model& model, Target target, export
   }
 }
 
+namespace {
+
+// Each set of files, which takes long, says that it is being written.
+void report_sets(exporting::Outputs& outputs, const Progress& progress) {
+  const double count = static_cast<double>(outputs.sets.size());
+  for (std::size_t i = 0; i < outputs.sets.size(); ++i) {
+    exporting::FileSet& set = outputs.sets[i];
+    const std::string what = fmt::format("writing {} …", set.names.empty() ? std::string() : set.names.front());
+    set.write = [write = std::move(set.write), what, done = static_cast<double>(i) / count,
+                 progress](const std::string& folder) {
+      progress(what, done);
+      write(folder);
+    };
+  }
+}
+
+}  // namespace
+
 void export_scene(const Export& job, const AppendTarget& append_target) {
   const ThreadLimit limit(job.threads);
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
   tell(scene.notes);
   require_for_targets(scene, job.targets);
   pipeline::require_output_folder(job.output);
-  exporting::Model model;
-  exporting::Outputs outputs;
+  const pipeline::Edition edition = edition_of(scene, "export");
+  pipeline::Published published;
+  std::vector<Note> empty;
   {
     ProgressBar bar;
-    model = pipeline::generated(scene, bar.progress());
+    const Progress progress = bar.progress();
+    const exporting::Model model = pipeline::generated(scene, progress);
+    exporting::Outputs outputs;
     for (const Target target : job.targets) append_target(model, target, outputs);
+    report_sets(outputs, progress);
+    const SignalNotes notes;
+    published = pipeline::written_outputs(outputs, edition, job.output, SignalNotes::received);
+    empty = pipeline::emptiness(scene, model);
   }
-  const SignalNotes notes;
-  const pipeline::Edition edition = edition_of(scene, "export");
-  report(pipeline::written_outputs(outputs, edition, job.output, SignalNotes::received), edition, job.output);
+  tell(empty);
+  report(published, edition, job.output);
 }
 
 }  // namespace shatterpave::cli

@@ -2,10 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <variant>
 
 #include "cli/arguments.h"
@@ -19,6 +23,7 @@
 #include "export/measures/measures.h"
 #include "pipeline/generate.h"
 #include "pipeline/measure.h"
+#include "pipeline/outlook.h"
 #include "pipeline/render.h"
 #include "pipeline/write.h"
 #include "scene/read_scene.h"
@@ -43,6 +48,8 @@ void run(const cli::Check& job, char** /*argv*/) {
   pipeline::require_possible(scene);
   cli::require_for_targets(scene, job.targets);
   cli::tell(scene.notes);
+  cli::tell(pipeline::emptiness(scene));
+  cli::print(fmt::format("{}: {}\n", job.scene.string(), pipeline::summary(scene)));
 }
 
 void run(const cli::Render& job, char** argv) { cli::run_with_rasters(job, argv); }
@@ -50,7 +57,9 @@ void run(const cli::Render& job, char** argv) { cli::run_with_rasters(job, argv)
 void run(const cli::Measure& job, char** /*argv*/) {
   const ThreadLimit limit(job.threads);
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
+  pipeline::require_possible(scene);
   cli::tell(scene.notes);
+  cli::tell(pipeline::emptiness(scene));
   pipeline::require_output_folder(job.output);
   std::vector<exporting::OutputFile> files;
   {
@@ -66,6 +75,16 @@ void run(const cli::Measure& job, char** /*argv*/) {
 }
 
 void run(const cli::Show& show, char** /*argv*/) { cli::print(show.text); }
+
+// Whether it lies with the folder or file that was named: then the input is wrong. A full disk, for one, is not.
+bool is_of_the_path(const std::error_code& code) {
+  constexpr std::array reasons = {
+      std::errc::permission_denied,      std::errc::operation_not_permitted, std::errc::read_only_file_system,
+      std::errc::not_a_directory,        std::errc::is_a_directory,          std::errc::no_such_file_or_directory,
+      std::errc::filename_too_long,      std::errc::invalid_argument,        std::errc::too_many_symbolic_link_levels,
+      std::errc::operation_not_supported};
+  return std::ranges::any_of(reasons, [&](std::errc reason) { return code == reason; });
+}
 
 int failed(ExitStatus status, std::string_view message) {
   cli::tell(fmt::format("{}\n", message));
@@ -84,6 +103,11 @@ int main(int argc, char** argv) {
     return failed(renderer_failed, error.what());
   } catch (const Interrupted&) {
     return cli::end_by_signal();
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string path = error.path1().string();
+    if (!is_of_the_path(error.code())) return failed(program_failed, fmt::format("{}: {}", path, error.code().message()));
+    return failed(input_wrong, fmt::format("{}: expected a folder that can be made and written to, got an error: {}", path,
+                                           error.code().message()));
   } catch (const std::bad_alloc&) {
     std::fputs("shatterpave: out of memory\n", stderr);
     return program_failed;

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 #include "cli/export_job.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
+#include "core/notes.h"
 #include "core/parallel.h"
 #include "export/povray/povray.h"
 #include "export/textures/textures.h"
 #include "pipeline/generate.h"
+#include "pipeline/outlook.h"
 #include "pipeline/render.h"
 #include "pipeline/write.h"
 #include "scene/read_scene.h"
@@ -36,12 +39,16 @@ void run_with_rasters(const Render& job, char** /*argv*/) {
   pipeline::require_output_folder(job.output);
   const pipeline::Edition edition = edition_of(scene, "picture");
   pipeline::Picture picture;
+  std::vector<Note> empty;
   {
     ProgressBar bar;
-    const pipeline::PovrayStill still = pipeline::povray_still(pipeline::generated(scene, bar.progress()));
+    const exporting::Model model = pipeline::generated(scene, bar.progress());
+    empty = pipeline::emptiness(scene, model);
+    const pipeline::PovrayStill still = pipeline::povray_still(model);
     const SignalNotes notes;
     picture = pipeline::rendered(still, job.options, edition, job.output, bar.progress(), SignalNotes::received);
   }
+  tell(empty);
   tell(picture.messages);
   report(picture.files, edition, job.output);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <string>
@@ -47,14 +48,21 @@ void tell(const std::vector<Note>& notes) {
   if (!lines.empty()) tell(lines);
 }
 
-ProgressBar::ProgressBar() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar()
+    : terminal_(::isatty(STDERR_FILENO) == 1),
+      report_([] { return std::chrono::steady_clock::now(); }, [](const std::string& line) { tell(line); }) {
+  if (!terminal_) heartbeat_.emplace(std::chrono::seconds(1), [this] { report_.tick(); });
+}
 
 ProgressBar::~ProgressBar() {
   if (shown_) tell("\r\x1b[K");
 }
 
 void ProgressBar::show(std::string_view what, double part) {
-  if (!terminal_) return;
+  if (!terminal_) {
+    report_.take(what, part);
+    return;
+  }
   constexpr int width = 30;
   const int full = static_cast<int>(part * width);
   tell(fmt::format("\r\x1b[K[{:#>{}}{:.>{}}] {:3.0f}% {}", "", full, "", width - full, 100.0 * part, what));

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "cli/progress_report.h"
 #include "core/notes.h"
+#include "core/parallel.h"
 #include "core/progress.h"
 
 namespace shatterpave::cli {
@@ -19,7 +22,7 @@ void tell(std::string_view text);
 // A line for each note, to standard error; of many the first ones and how many more there are.
 void tell(const std::vector<Note>& notes);
 
-// A bar on a terminal; nothing elsewhere. It is taken away when it dies.
+// A bar on a terminal, which is taken away when it dies; elsewhere a line from time to time (progress_report.h).
 class ProgressBar {
  public:
   ProgressBar();
@@ -35,6 +38,8 @@ class ProgressBar {
 
   bool terminal_;
   bool shown_ = false;
+  ProgressReport report_;
+  std::optional<Heartbeat> heartbeat_;  // long work may have nothing to say for minutes
 };
 
 // While it lives, signals that end the program only leave a note, so that what is being written can be taken back.

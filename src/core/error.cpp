@@ -13,7 +13,8 @@ std::string located(const Place& place, const std::string& message) {
   return text.empty() ? message : fmt::format("{}: {}", text, message);
 }
 
-InputError::InputError(const Place& place, const std::string& message) : std::runtime_error(located(place, message)) {}
+InputError::InputError(const Place& place, const std::string& message)
+    : std::runtime_error(located(place, message)), place_(place), message_(message) {}
 
 void throw_broken_invariant(const char* condition, const char* file, int line) {
   throw BrokenInvariant(fmt::format("{}:{}: broken invariant: {}", file, line, condition));

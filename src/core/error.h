@@ -18,11 +18,20 @@ struct Place {
 };
 
 // Bad input or usage: exit status 2. `what()` is one line, `file:line:column: key: expected …, got …`, with the parts that
-// are known.
+// are known. A room that knows no file gives the thing's name and the member's path for a key, `window.impact[1].at_mm`; who
+// has the scene file puts the place there (scene/key_places.h).
 class InputError : public std::runtime_error {
  public:
   InputError(const Place& place, const std::string& message);
-  explicit InputError(const std::string& message) : std::runtime_error(message) {}
+  explicit InputError(const std::string& message) : InputError(Place{}, message) {}
+
+  const Place& place() const { return place_; }
+  // `what()` without the place.
+  const std::string& message() const { return message_; }
+
+ private:
+  Place place_;
+  std::string message_;
 };
 
 // A promise of this program that does not hold: exit status 1. Never the user's fault.

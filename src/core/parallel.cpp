@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <stop_token>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/cancel.h"
@@ -72,5 +75,24 @@ void parallel_for_chunks(std::size_t count, std::size_t chunk, const std::functi
   const std::size_t chunks = (count + chunk - 1) / chunk;
   parallel_for(chunks, [&](std::size_t i) { body(i * chunk, std::min(count, (i + 1) * chunk)); });
 }
+
+class Heartbeat::Thread {
+ public:
+  Thread(std::chrono::milliseconds interval, std::function<void()> beat)
+      : thread_([this, interval, beat = std::move(beat)](const std::stop_token& stopped) {
+          std::unique_lock lock(mutex_);
+          while (!waiting_.wait_for(lock, stopped, interval, [&] { return stopped.stop_requested(); })) beat();
+        }) {}
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any waiting_;
+  std::jthread thread_;  // the last one: it ends before what it uses
+};
+
+Heartbeat::Heartbeat(std::chrono::milliseconds interval, std::function<void()> beat)
+    : thread_(std::make_unique<Thread>(interval, std::move(beat))) {}
+
+Heartbeat::~Heartbeat() = default;
 
 }  // namespace shatterpave

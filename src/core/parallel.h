@@ -1,8 +1,10 @@
 // The one file with threads. One writer per slot; the number of threads must not show in any result.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace shatterpave {
 
@@ -25,5 +27,18 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
 // As above for whole chunks [begin, end): for cheap bodies. Chunks are fixed, `chunk` long.
 void parallel_for_chunks(std::size_t count, std::size_t chunk,
                          const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+// Calls `beat` on a thread of its own every `interval` while it lives. `beat` must not throw.
+class Heartbeat {
+ public:
+  Heartbeat(std::chrono::milliseconds interval, std::function<void()> beat);
+  ~Heartbeat();
+  Heartbeat(const Heartbeat&) = delete;
+  Heartbeat& operator=(const Heartbeat&) = delete;
+
+ private:
+  class Thread;
+  std::unique_ptr<Thread> thread_;
+};
 
 }  // namespace shatterpave

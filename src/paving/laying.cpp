@@ -37,50 +37,52 @@ double expected_stones(const Pavement& pavement, const geometry::RegionIndex& ar
          border_length(area) * (1.0 / std::min(pitch.x, pitch.y) + border);
 }
 
-Place place_of(const Pavement& pavement) { return {{}, 0, 0, fmt::format("pavement '{}'", pavement.name)}; }
+// Of a member, for messages: NAME.MEMBER.
+Place place_of(const Pavement& pavement, std::string_view member) {
+  return {{}, 0, 0, fmt::format("{}.{}", pavement.name, member)};
+}
 
 // What some bonds ask of the shape of their stones.
-void check_shape(const Pavement& pavement, const Place& place) {
+void check_shape(const Pavement& pavement) {
   const vec2 stone = pavement.stone_mm;
   const Bond bond = pavement.bonding.bond;
   if ((bond == Bond::herringbone || bond == Bond::basket_weave) && stone.x < stone.y) {
-    throw InputError(
-        place, fmt::format("stone_mm: expected stones at least as long as wide for this bond, got [{}, {}]", stone.x, stone.y));
+    throw InputError(place_of(pavement, "stone_mm"),
+                     fmt::format("expected stones at least as long as wide for this bond, got [{}, {}]", stone.x, stone.y));
   }
   if (bond != Bond::segmental_arc && bond != Bond::fan) return;
   // With deeper ones perpends, which fan out, would meet.
   if (stone.y > 2.0 * stone.x || stone.x > 2.0 * stone.y) {
-    throw InputError(place, fmt::format("stone_mm: expected stones at most twice as long as wide for this bond, got [{}, {}]",
-                                        stone.x, stone.y));
+    throw InputError(
+        place_of(pavement, "stone_mm"),
+        fmt::format("expected stones at most twice as long as wide for this bond, got [{}, {}]", stone.x, stone.y));
   }
   const double least = 5.0 * (std::max(stone.x, stone.y) + pavement.joint_mm);
   if (pavement.bonding.span_mm != 0.0 && pavement.bonding.span_mm < least) {
-    throw InputError(
-        place, fmt::format("bond_span_mm: expected 0, or at least {} (five stones), got {}", least, pavement.bonding.span_mm));
+    throw InputError(place_of(pavement, "bond_span_mm"),
+                     fmt::format("expected 0, or at least {} (five stones), got {}", least, pavement.bonding.span_mm));
   }
 }
 
 void check(const Pavement& pavement) {
-  const Place place = place_of(pavement);
-  const auto bad = [](double mm, double least) { return !(mm >= least && mm <= geometry::largest_coordinate_mm); };
-  if (bad(pavement.stone_mm.x, 1.0) || bad(pavement.stone_mm.y, 1.0)) {
-    throw InputError(place,
-                     fmt::format("stone_mm: expected 1 or more, got [{}, {}]", pavement.stone_mm.x, pavement.stone_mm.y));
-  }
-  if (bad(pavement.joint_mm, 0.0))
-    throw InputError(place, fmt::format("joint_mm: expected 0 or more, got {}", pavement.joint_mm));
+  const auto require = [&](std::string_view member, double mm, double least) {
+    if (mm >= least && mm <= geometry::largest_coordinate_mm) return;
+    throw InputError(place_of(pavement, member), fmt::format("expected {} or more, got {}", least, mm));
+  };
+  require("stone_mm", pavement.stone_mm.x, 1.0);
+  require("stone_mm", pavement.stone_mm.y, 1.0);
+  require("joint_mm", pavement.joint_mm, 0.0);
   const Bonding& bonding = pavement.bonding;
   if (!(bonding.offset >= 0.0 && bonding.offset <= 1.0)) {
-    throw InputError(place, fmt::format("bond_offset: expected 0 to 1, got {}", bonding.offset));
+    throw InputError(place_of(pavement, "bond_offset"), fmt::format("expected 0 to 1, got {}", bonding.offset));
   }
-  if (bad(bonding.span_mm, 0.0))
-    throw InputError(place, fmt::format("bond_span_mm: expected 0 or more, got {}", bonding.span_mm));
-  check_shape(pavement, place);
+  require("bond_span_mm", bonding.span_mm, 0.0);
+  check_shape(pavement);
   const vec2 border = border_stone_mm(pavement);
-  if (bad(border.x, 1.0) || bad(border.y, 1.0))
-    throw InputError(place, fmt::format("border_stone_mm: expected 1 or more, got [{}, {}]", border.x, border.y));
+  require("border_stone_mm", border.x, 1.0);
+  require("border_stone_mm", border.y, 1.0);
   if (pavement.area.outline.size() < 3 || geometry::area(pavement.area.outline) == 0.0) {
-    throw InputError(place, "outline: expected a polygon with an area");
+    throw InputError(place_of(pavement, "outline_mm"), "expected a polygon with an area");
   }
 }
 
@@ -184,7 +186,7 @@ void require_layable(const Pavement& pavement) {
   check(pavement);
   const double expected = expected_stones(pavement, geometry::RegionIndex(pavement.area));
   if (expected > most_stones) {
-    throw InputError(place_of(pavement),
+    throw InputError(place_of(pavement, "stone_mm"),
                      fmt::format("expected at most {:.0f} stones, got an area for about {:.0f}", most_stones, expected));
   }
 }

@@ -1,7 +1,12 @@
 #include "pipeline/generate.h"
 
+#include <algorithm>
+#include <functional>
 #include <mutex>
+#include <string>
+#include <vector>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "glass/crack_surface.h"
 #include "glass/dice.h"
@@ -10,17 +15,111 @@
 #include "paving/kerb.h"
 #include "paving/laying.h"
 #include "paving/seamless.h"
+#include "pipeline/placed.h"
 
 namespace shatterpave::pipeline {
 
-void require_possible(const scene::Scene& scene) {
-  for (const glass::Pane& pane : scene.panes) {
-    if (pane.glass == glass::GlassKind::tempered) glass::require_few_fragments(pane);
+namespace {
+
+const scene::KeyPlaces& places_at(const std::vector<scene::KeyPlaces>& places, std::size_t i) {
+  static const scene::KeyPlaces none;
+  return i < places.size() ? places[i] : none;
+}
+
+// Of what a pavement of the model was made.
+struct Origin {
+  std::size_t pavement = 0;  // of the scene
+  bool is_kerb = false;
+};
+
+// What is wrong with a kerb is wrong with the key that asks for it.
+void with_kerb_places(const scene::KeyPlaces& places, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    const Place place = places.place("ground.kerb_width_mm");
+    if (!error.place().file.empty() || place.file.empty()) throw;
+    throw InputError(place, "kerb: " + error.message());
   }
-  for (const paving::Pavement& pavement : scene.pavements) {
-    paving::require_layable(pavement);
-    if (pavement.kerb.width_mm > 0.0) paving::require_layable(paving::kerb(pavement));
-    if (pavement.textures.seamless) static_cast<void>(paving::seamless_tile(pavement, scene.seed));
+}
+
+void break_pane(exporting::BrokenPane& broken, std::uint64_t seed) {
+  broken.network = glass::grown_cracks(broken.pane, seed);
+  if (broken.pane.shards) {
+    broken.shards = glass::shards(broken.pane, broken.network, seed);
+  } else if (broken.pane.crack_body == glass::CrackBody::sheet) {
+    broken.surfaces = glass::crack_surfaces(broken.pane, broken.network, seed);
+  }
+}
+
+void lay(exporting::PavedArea& paved, std::uint64_t seed) {
+  paved.layout = paving::laid_stones(paved.pavement, seed);
+  if (paved.pavement.textures.seamless) paved.tile = paving::seamless_tile(paved.pavement, seed);
+}
+
+// The names of what is in work, in the order in which it began.
+class InWork {
+ public:
+  InWork(std::size_t count, const Progress& progress) : count_(count), progress_(progress) { report(); }
+
+  // In work while it lives.
+  class Thing {
+   public:
+    Thing(InWork& in_work, const std::string& name) : in_work_(in_work), name_(name) { in_work_.begin(name_); }
+    ~Thing() { in_work_.end(name_); }
+    Thing(const Thing&) = delete;
+    Thing& operator=(const Thing&) = delete;
+
+   private:
+    InWork& in_work_;
+    const std::string& name_;
+  };
+
+ private:
+  void begin(const std::string& name) {
+    const std::scoped_lock lock(mutex_);
+    names_.push_back(name);
+    report();
+  }
+  void end(const std::string& name) {
+    const std::scoped_lock lock(mutex_);
+    names_.erase(std::ranges::find(names_, name));
+    ++done_;
+    report();
+  }
+  void report() const {
+    constexpr std::size_t most_named = 3;
+    if (!progress_) return;
+    std::string what = "generating";
+    for (std::size_t i = 0; i < std::min(names_.size(), most_named); ++i) what += (i == 0 ? " " : ", ") + names_[i];
+    if (names_.size() > most_named) what += " …";
+    progress_(what, static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(count_, 1)));
+  }
+
+  std::size_t count_;
+  const Progress& progress_;
+  std::mutex mutex_;
+  std::vector<std::string> names_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace
+
+void require_possible(const scene::Scene& scene) {
+  for (std::size_t i = 0; i < scene.panes.size(); ++i) {
+    const glass::Pane& pane = scene.panes[i];
+    if (pane.glass != glass::GlassKind::tempered) continue;
+    with_places(pane.name, places_at(scene.pane_places, i), [&] { glass::require_few_fragments(pane); });
+  }
+  for (std::size_t i = 0; i < scene.pavements.size(); ++i) {
+    const paving::Pavement& pavement = scene.pavements[i];
+    const scene::KeyPlaces& places = places_at(scene.pavement_places, i);
+    with_places(pavement.name, places, [&] {
+      paving::require_layable(pavement);
+      if (pavement.textures.seamless) static_cast<void>(paving::seamless_tile(pavement, scene.seed));
+    });
+    if (pavement.kerb.width_mm == 0.0) continue;
+    with_kerb_places(places, [&] { paving::require_layable(paving::kerb(pavement)); });
   }
 }
 
@@ -33,33 +132,35 @@ exporting::Model generated(const scene::Scene& scene, const Progress& progress) 
   model.caustics = scene.still.caustics;
   model.seed = scene.seed;
   for (const glass::Pane& pane : scene.panes) model.panes.push_back({pane, {}, {}});
-  for (const paving::Pavement& pavement : scene.pavements) {
+  std::vector<Origin> origins;
+  for (std::size_t i = 0; i < scene.pavements.size(); ++i) {
+    const paving::Pavement& pavement = scene.pavements[i];
     model.pavements.push_back({pavement, {}});
-    if (pavement.kerb.width_mm > 0.0) model.pavements.push_back({paving::kerb(pavement), {}});
+    origins.push_back({i, false});
+    if (pavement.kerb.width_mm == 0.0) continue;
+    model.pavements.push_back({paving::kerb(pavement), {}});
+    origins.push_back({i, true});
   }
 
   const std::size_t panes = model.panes.size();
   const std::size_t count = panes + model.pavements.size();
-  std::size_t done = 0;
-  std::mutex reporting;
-  if (progress) progress("generating", 0.0);
+  InWork in_work(count, progress);
   parallel_for(count, [&](std::size_t i) {
     if (i < panes) {
       exporting::BrokenPane& broken = model.panes[i];
-      broken.network = glass::grown_cracks(broken.pane, scene.seed);
-      if (broken.pane.shards) {
-        broken.shards = glass::shards(broken.pane, broken.network, scene.seed);
-      } else if (broken.pane.crack_body == glass::CrackBody::sheet) {
-        broken.surfaces = glass::crack_surfaces(broken.pane, broken.network, scene.seed);
-      }
-    } else {
-      exporting::PavedArea& paved = model.pavements[i - panes];
-      paved.layout = paving::laid_stones(paved.pavement, scene.seed);
-      if (paved.pavement.textures.seamless) paved.tile = paving::seamless_tile(paved.pavement, scene.seed);
+      const InWork::Thing thing(in_work, broken.pane.name);
+      with_places(broken.pane.name, places_at(scene.pane_places, i), [&] { break_pane(broken, scene.seed); });
+      return;
     }
-    const std::scoped_lock lock(reporting);
-    ++done;
-    if (progress) progress("generating", static_cast<double>(done) / static_cast<double>(count));
+    exporting::PavedArea& paved = model.pavements[i - panes];
+    const Origin& origin = origins[i - panes];
+    const InWork::Thing thing(in_work, paved.pavement.name);
+    const scene::KeyPlaces& places = places_at(scene.pavement_places, origin.pavement);
+    if (origin.is_kerb) {
+      with_kerb_places(places, [&] { lay(paved, scene.seed); });
+    } else {
+      with_places(paved.pavement.name, places, [&] { lay(paved, scene.seed); });
+    }
   });
   return model;
 }

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -66,11 +69,38 @@ toml::table parsed_value(const Override& change) {
   return table;
 }
 
-// The element of an array that a step names: by its index, or by the `name` of a table.
-toml::node& element_of(toml::array& array, const Step& step, const Override& change) {
+// The names of the tables of an array.
+std::vector<std::string> names_in(const toml::array& array) {
+  std::vector<std::string> names;
+  for (const toml::node& element : array) {
+    const toml::table* table = element.as_table();
+    const auto name = table == nullptr ? std::nullopt : table->at_path("name").value<std::string>();
+    if (name) names.push_back(*name);
+  }
+  return names;
+}
+
+// Says which elements there are: `path` is that of the array.
+[[noreturn]] void refuse_element(const Override& change, const toml::array& array, const std::string& path,
+                                 const std::string& got) {
   const Place place{change.origin, 0, 0, ""};
+  if (array.empty()) refuse(place, "an element of " + path, fmt::format("{}; there are none", got));
+  const std::vector<std::string> names = names_in(array);
+  std::vector<std::string> whole;
+  for (std::size_t i = 0; i < array.size(); ++i) whole.push_back(fmt::format("{}[{}]", path, i));
+  for (const std::string& name : names) whole.push_back(fmt::format("{}.{}", path, name));
+  constexpr std::size_t most_listed = 12;
+  const bool few = whole.size() <= most_listed;
+  const std::string expected = few ? listed({whole.begin(), whole.end()}, "or")
+                                   : fmt::format("{} to {}, or one by its name", whole.front(), whole[array.size() - 1]);
+  const std::string_view meant = nearest(got, {names.begin(), names.end()});
+  refuse(place, expected, in_quotes(got) + (meant.empty() ? std::string() : fmt::format("; did you mean {}.{}?", path, meant)));
+}
+
+// The element of an array that a step names: by its index, or by the `name` of a table.
+toml::node& element_of(toml::array& array, const Step& step, const Override& change, const std::string& path) {
   if (const auto* index = std::get_if<std::size_t>(&step)) {
-    if (*index >= array.size()) refuse(place, fmt::format("an index below {}", array.size()), fmt::format("{}", *index));
+    if (*index >= array.size()) refuse_element(change, array, path, fmt::format("{}[{}]", path, *index));
     return array[*index];
   }
   const std::string& name = std::get<std::string>(step);
@@ -78,16 +108,30 @@ toml::node& element_of(toml::array& array, const Step& step, const Override& cha
     const toml::table* table = element.as_table();
     if (table != nullptr && table->at_path("name").value<std::string>() == name) return element;
   }
-  refuse(place, "an index or the name of an element", in_quotes(name));
+  refuse_element(change, array, path, name);
 }
 
-toml::node& next_node(toml::node& node, const Step& step, const Override& change) {
-  if (toml::array* array = node.as_array()) return element_of(*array, step, change);
+// The steps so far, as they were written.
+std::string path_of(const std::vector<Step>& steps, std::size_t count) {
+  std::string path;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (const auto* index = std::get_if<std::size_t>(&steps[i])) {
+      path += fmt::format("[{}]", *index);
+    } else {
+      path += (path.empty() ? "" : ".") + std::get<std::string>(steps[i]);
+    }
+  }
+  return path;
+}
+
+// `path` leads to `node`.
+toml::node& next_node(toml::node& node, const Step& step, const Override& change, const std::string& path) {
+  if (toml::array* array = node.as_array()) return element_of(*array, step, change, path);
   toml::table* table = node.as_table();
   const auto* key = std::get_if<std::string>(&step);
   if (table == nullptr || key == nullptr) {
     refuse(Place{change.origin, 0, 0, ""}, "a key that leads to a value",
-           fmt::format("one that goes on after {}", description(node)));
+           fmt::format("one that goes on after {}, which is {}", path.empty() ? "the scene" : path, description(node)));
   }
   if (!table->contains(*key)) {
     toml::table made = toml::parse("value = {}", change.origin);  // parsed, so that messages know where it came from
@@ -101,18 +145,21 @@ toml::node& next_node(toml::node& node, const Step& step, const Override& change
 void apply(const Override& change, toml::table& scene) {
   const std::vector<Step> steps = steps_of(change);
   toml::node* parent = &scene;
-  for (std::size_t i = 0; i + 1 < steps.size(); ++i) parent = &next_node(*parent, steps[i], change);
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    parent = &next_node(*parent, steps[i], change, path_of(steps, i));
+  }
+  const std::string path = path_of(steps, steps.size() - 1);
   toml::table value = parsed_value(change);
   // Moved, not copied: a copy forgets where it came from, which messages show.
   std::move(*value.get("value")).visit([&](auto&& node) {
     if (toml::array* array = parent->as_array()) {
-      const toml::node& old = element_of(*array, steps.back(), change);
+      const toml::node& old = element_of(*array, steps.back(), change, path);
       const auto at = std::ranges::find_if(*array, [&](const toml::node& element) { return &element == &old; });
       array->replace(at, std::forward<decltype(node)>(node));
     } else if (parent->is_table() && std::holds_alternative<std::string>(steps.back())) {
       parent->as_table()->insert_or_assign(std::get<std::string>(steps.back()), std::forward<decltype(node)>(node));
     } else {
-      next_node(*parent, steps.back(), change);  // says what is wrong
+      next_node(*parent, steps.back(), change, path);  // says what is wrong
     }
   });
 }

@@ -7,7 +7,9 @@
 
 #include "geometry/lattice.h"
 #include "glass/presets.h"
+#include "scene/idle_keys.h"
 #include "scene/input_file.h"
+#include "scene/keys.h"
 #include "scene/section.h"
 
 namespace shatterpave::scene {
@@ -87,9 +89,7 @@ constexpr std::array shard_numbers = {
 };
 
 void read_shards(const TomlTable& pane, std::optional<ShardRules>& shards) {
-  const auto table = pane.table(
-      "shards", {"enabled", "joined", "gap_mm", "splinter_mm2", "bevel_mm", "chips_per_m", "chip_mm", "missing", "missing_mm",
-                 "held", "fallen", "throw_m_s", "sill_drop_mm", "sill_depth_mm", "frame_mm", "reveal_mm", "floor_drop_mm"});
+  const auto table = pane.table("shards", shards_keys);
   if (!table) return;
   ShardRules rules;
   for (const ShardNumber& number : shard_numbers) table->read(number.key, number.range, rules.*number.member);
@@ -106,16 +106,7 @@ void read_angle(const TomlTable& table, std::string_view key, const Range& range
 }
 
 void read_growth(const TomlTable& pane, Growth& growth) {
-  const auto table =
-      pane.table("growth", {"spread",          "spread_limit",      "spread_deviation",     "large_speed_px",
-                            "radial_speed_px", "circular_speed_px", "sector_angle_deg",     "sector_radius_px",
-                            "turn_limit_deg",  "weight_time",       "step_length_px",       "reference_radial_count",
-                            "energy_exponent", "count_law",         "count_dispersion",     "circular_threshold",
-                            "circular_slope",  "circular_offset",   "large_slope",          "large_offset",
-                            "large_deviation", "large_rounding",    "ring_radius_slope_mm", "ring_radius_offset_mm",
-                            "tip_gain_px2",    "crack_gain_px2",    "sibling_gain_px2",     "edge_gain_px2",
-                            "wander_deg",      "turn_length_px",    "radial_pull",          "ring_pull",
-                            "ring_onset",      "radial_onset",      "branch_rate_per_m",    "branch_angle_deg"});
+  const auto table = pane.table("growth", growth_keys);
   if (!table) return;
   if (const auto law = table->choice("count_law", {"poisson", "table1"})) {
     growth.count_dispersion = *law == 0 ? 1.0 : glass::table_1_dispersion;
@@ -154,7 +145,7 @@ void read_kind(const TomlTable& pane, glass::Pane& result) {
   if (const auto pattern = pane.choice("pattern", {"agui1992", "real"})) {
     result.pattern = *pattern == 0 ? glass::Pattern::agui1992 : glass::Pattern::real;
   }
-  if (const auto rings = pane.table("rings", {"count", "first_radius_mm", "ratio", "spread", "interruption", "bow"})) {
+  if (const auto rings = pane.table("rings", rings_keys)) {
     if (const auto count = rings->whole_number("count", 0, most_rings)) result.rings.count = static_cast<int>(*count);
     rings->read("first_radius_mm", {0.1, 100'000.0}, result.rings.first_radius_mm);
     rings->read("ratio", {1.01, 100.0}, result.rings.ratio);
@@ -162,17 +153,17 @@ void read_kind(const TomlTable& pane, glass::Pane& result) {
     rings->read("interruption", {0.0, 1.0}, result.rings.interruption);
     rings->read("bow", {0.0, 1.0}, result.rings.bow);
   }
-  if (const auto crater = pane.table("crater", {"cone_deg"})) {
+  if (const auto crater = pane.table("crater", crater_keys)) {
     read_angle(*crater, "cone_deg", {0.0, 85.0}, result.crater_cone);
   }
-  if (const auto laminate = pane.table("laminate", {"through", "milky_width_mm"})) {
+  if (const auto laminate = pane.table("laminate", laminate_keys)) {
     laminate->read("through", {0.0, 1.0}, result.laminate.through);
     laminate->read("milky_width_mm", {0.0, 1000.0}, result.laminate.milky_width_mm);
   }
 }
 
 void read_tempering(const TomlTable& pane, glass::Tempering& tempering) {
-  const auto table = pane.table("tempering", {"surface_stress_mpa", "count_per_square", "splinter_ratio", "splinter_reach_mm"});
+  const auto table = pane.table("tempering", tempering_keys);
   if (!table) return;
   table->read("surface_stress_mpa", {20.0, 1000.0}, tempering.surface_stress_mpa);
   tempering.count_per_square = table->number("count_per_square", {1.0, 2500.0});
@@ -190,8 +181,7 @@ void read_crack_body(const TomlTable& pane, glass::Pane& result) {
       refuse(pane.place("crack_body"), "\"sheet\", since an impact has a hole_mm", "\"cylinder\"");
     }
   }
-  const auto table =
-      pane.table("crack_sheet", {"tilt_deg", "curve_deg", "twist_mm", "opening_mm", "opening_variation", "depth", "relief"});
+  const auto table = pane.table("crack_sheet", crack_sheet_keys);
   if (!table) return;
   if (result.crack_body != glass::CrackBody::sheet) {
     refuse(table->place(), "crack_body = \"sheet\" beside it", "none");
@@ -258,9 +248,7 @@ glass::Impact impact_of(const TomlTable& table, const glass::Pane& pane) {
 
 std::vector<glass::Impact> impacts_of(const TomlTable& table, const glass::Pane& pane, bool has_preset) {
   std::vector<glass::Impact> impacts;
-  for (const TomlTable& impact : table.tables("impact", most_impacts,
-                                              {"at_mm", "mean_radial_count", "radial_count", "large_count", "circular_count",
-                                               "ball_diameter_mm", "speed_m_s", "hole_mm", "spall_mm"})) {
+  for (const TomlTable& impact : table.tables("impact", most_impacts, impact_keys)) {
     impacts.push_back(impact_of(impact, pane));
   }
   if (!impacts.empty()) return impacts;
@@ -300,21 +288,17 @@ glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
   read_tempering(table, pane.tempering);
   read_shards(table, pane.shards);
   read_crack_body(table, pane);
+  tell_idle_keys(table, pane, plans.notes());
   return pane;
 }
 
 }  // namespace
 
-std::vector<glass::Pane> panes_of(const TomlTable& root, Plans& plans, Names& names) {
-  std::vector<glass::Pane> panes;
-  for (const TomlTable& table :
-       root.tables("pane", most_panes, {"name",          "size_mm",       "outline_mm",   "outline_file", "outline_feature",
-                                        "outline_class", "outline_units", "thickness_mm", "preset",       "impact",
-                                        "growth",        "shards",        "glass",        "pattern",      "rings",
-                                        "crater",        "laminate",      "tempering",    "crack_body",   "crack_sheet"})) {
-    panes.push_back(pane_of(table, plans, names));
+void read_panes(const TomlTable& root, Plans& plans, Names& names, Scene& scene) {
+  for (const TomlTable& table : root.tables("pane", most_panes, pane_keys)) {
+    scene.panes.push_back(pane_of(table, plans, names));
+    scene.pane_places.emplace_back(table);
   }
-  return panes;
 }
 
 }  // namespace shatterpave::scene

@@ -1,14 +1,12 @@
 // [[pane]] of a scene file.
 #pragma once
 
-#include <vector>
-
-#include "glass/pane.h"
+#include "scene/scene.h"
 #include "scene/section.h"
 
 namespace shatterpave::scene {
 
-// All panes of a scene, from its root table; their names go to `names`.
-std::vector<glass::Pane> panes_of(const TomlTable& root, Plans& plans, Names& names);
+// Puts all panes of a scene, from its root table, into `scene`, each with the places of its keys; their names go to `names`.
+void read_panes(const TomlTable& root, Plans& plans, Names& names, Scene& scene);
 
 }  // namespace shatterpave::scene

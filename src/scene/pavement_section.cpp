@@ -9,6 +9,8 @@
 #include "geometry/lattice.h"
 #include "paving/steps.h"
 #include "paving/stone_sizes.h"
+#include "scene/idle_keys.h"
+#include "scene/keys.h"
 #include "scene/section.h"
 #include "scene/stone_keys.h"
 
@@ -34,10 +36,9 @@ paving::GuidesDirection guides_of(const TomlTable& table) {
   return direction;
 }
 
-// Keys of kinds other than the chosen one are checked like all others, but have no effect: so kinds can be tried in turn.
+// Keys of kinds other than the chosen one are checked like all others; that they have no effect is told (idle_keys.h).
 paving::Direction direction_of(const TomlTable& pavement, Plans& plans) {
-  const auto table = pavement.table(
-      "direction", {"kind", "angle_deg", "centre_mm", "guides_mm", "guides_file", "guides_feature", "guides_class"});
+  const auto table = pavement.table("direction", direction_keys);
   if (!table) return paving::ConstantDirection{};
   const Angle angle = Angle::degrees(table->number("angle_deg", {-360.0, 360.0}).value_or(0.0));
   const vec2 centre = geometry::on_lattice(table->point("centre_mm", coordinate_range).value_or(vec2{0.0, 0.0}));
@@ -99,7 +100,7 @@ geometry::Box texture_area(const TomlTable& table) {
 void read_textures(const TomlTable& pavement, paving::TextureSet& textures) {
   using paving::TextureFormat;
   constexpr std::array formats = {TextureFormat::png, TextureFormat::exr, TextureFormat::tiled_exr};
-  const auto table = pavement.table("textures", {"size_px", "area_mm", "format", "seamless", "tile_mm"});
+  const auto table = pavement.table("textures", textures_keys);
   if (!table) return;
   const auto size = table->whole_number("size_px", 256, 16384);
   if (size) textures.size_px = static_cast<std::size_t>(*size);
@@ -129,7 +130,7 @@ void require_rows(const TomlTable& table, const paving::Pavement& pavement) {
 
 std::optional<paving::Flight> flight_of(const TomlTable& table, const paving::Pavement& pavement,
                                         const std::vector<geometry::Region>& areas) {
-  const auto steps = table.table("steps", {"riser_mm", "tread_mm"});
+  const auto steps = table.table("steps", steps_keys);
   if (!steps) return std::nullopt;
   paving::Flight flight;
   steps->read("riser_mm", {-1000.0, 1000.0}, flight.riser_mm);
@@ -178,12 +179,13 @@ paving::Pavement pavement_of(const TomlTable& table, Plans& plans) {
 }
 
 // A pavement for each of the areas of a table, or for each step of those.
-void append_pavements(const TomlTable& table, Plans& plans, Names& names, std::vector<paving::Pavement>& pavements) {
+void append_pavements(const TomlTable& table, Plans& plans, Names& names, Scene& scene) {
   name_of(table);
   std::vector<geometry::Region> areas = without_holes_of_plan(table, plans, outlines_of(table, plans));
   paving::Pavement pavement = pavement_of(table, plans);
   limit_stones(table, pavement, areas);
   const std::optional<paving::Flight> flight = flight_of(table, pavement, areas);
+  tell_idle_keys(table, pavement, flight.has_value(), plans.notes());
   const std::string name = pavement.name;
   std::vector<paving::Pavement> parts;
   for (geometry::Region& area : areas) {
@@ -193,36 +195,27 @@ void append_pavements(const TomlTable& table, Plans& plans, Names& names, std::v
     } else {
       parts.push_back(pavement);
     }
-    if (pavements.size() + parts.size() > most_pavements) {
+    if (scene.pavements.size() + parts.size() > most_pavements) {
       refuse(table.place(), fmt::format("at most {} areas in all", most_pavements), "more");
     }
   }
+  const KeyPlaces places(table);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     paving::Pavement& part = parts[i];
     part.name = i == 0 ? name : fmt::format("{}_{}", name, i + 1);
     names.add(part.name, i == 0 ? table.path() : fmt::format("part {} of {}", i + 1, table.path()), table.place("name"));
     if (part.kerb.width_mm > 0.0) names.add(paving::kerb_name(part), table.path(), table.place("name"));
-    pavements.push_back(std::move(part));
+    scene.pavements.push_back(std::move(part));
+    scene.pavement_places.push_back(places);
   }
 }
 
 }  // namespace
 
-std::vector<paving::Pavement> pavements_of(const TomlTable& root, Plans& plans, Names& names) {
-  std::vector<paving::Pavement> pavements;
-  for (const TomlTable& table :
-       root.tables("pavement", most_pavements,
-                   {"name",          "size_mm",          "outline_mm",     "outline_file",   "outline_feature",
-                    "outline_class", "outline_width_mm", "outline_units",  "holes_mm",       "holes_file",
-                    "holes_feature", "holes_class",      "holes_width_mm", "within_feature", "within_class",
-                    "stone_preset",  "stone_mm",         "joint_mm",       "direction",      "bond",
-                    "bond_offset",   "bond_turn_deg",    "bond_span_mm",   "border_course",  "border_stone_mm",
-                    "surface",       "variation",        "relief",         "material",       "joint_fill",
-                    "moss",          "wetness",          "ground",         "steps",          "detail",
-                    "textures"})) {
-    append_pavements(table, plans, names, pavements);
+void read_pavements(const TomlTable& root, Plans& plans, Names& names, Scene& scene) {
+  for (const TomlTable& table : root.tables("pavement", most_pavements, pavement_keys)) {
+    append_pavements(table, plans, names, scene);
   }
-  return pavements;
 }
 
 }  // namespace shatterpave::scene

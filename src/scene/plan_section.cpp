@@ -80,7 +80,7 @@ std::vector<vec2> guide_of(const PlanShape& shape, const PlanFrame& frame) {
 }  // namespace
 
 Plans::Plans(const TomlTable& root, std::vector<Note>& notes) : notes_(notes) {
-  const auto table = root.table("plan", {"origin", "svg_scale"});
+  const auto table = root.table("plan", plan_keys);
   if (!table) return;
   constexpr double most = std::numeric_limits<double>::max();
   origin_ = table->point("origin", {-most, most});

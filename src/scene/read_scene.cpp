@@ -10,7 +10,9 @@
 #include "core/embedded.h"
 #include "core/sha256.h"
 #include "scene/apply_override.h"
+#include "scene/idle_keys.h"
 #include "scene/input_file.h"
+#include "scene/keys.h"
 #include "scene/pane_section.h"
 #include "scene/pavement_section.h"
 #include "scene/toml_table.h"
@@ -67,21 +69,25 @@ constexpr std::string_view setting_ending = "_still.pov";
 
 Still still_of(const TomlTable& root) {
   Still still;
-  const auto table = root.table("still", {"setting", "dispersion", "caustics"});
+  const auto table = root.table("still", still_keys);
   const auto setting = table ? table->text("setting") : std::nullopt;
   if (table) {
     still.dispersion = table->flag("dispersion").value_or(false);
     still.caustics = table->flag("caustics").value_or(false);
   }
   if (!setting || setting->empty()) return still;
-  std::string names;
+  std::vector<std::string_view> names;
   for (const EmbeddedFile& file : embedded_files()) {
     if (!file.name.ends_with(setting_ending)) continue;
     const std::string_view name = file.name.substr(0, file.name.rfind('.'));
     if (name == *setting) still.setting = *setting;
-    names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", name);
+    names.push_back(name);
   }
-  if (still.setting.empty()) refuse(table->place("setting"), names, in_quotes(*setting));
+  if (still.setting.empty()) {
+    const std::string_view meant = nearest(*setting, names);
+    refuse(table->place("setting"), "a setting of " + listed(names, "or"),
+           in_quotes(*setting) + (meant.empty() ? std::string() : fmt::format("; did you mean {}?", meant)));
+  }
   return still;
 }
 
@@ -97,20 +103,21 @@ std::string fingerprint_of(const toml::table& table, const Plans& plans) {
 
 Scene scene_of_table(const toml::table& table, const std::filesystem::path& file) {
   const std::string file_name = file.string();
-  const TomlTable root(table, file_name, "", {"seed", "plan", "pane", "pavement", "still"});
+  const TomlTable root(table, file_name, "", root_keys);
   Scene scene;
   scene.name = scene_name(file);
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
   scene.seed = static_cast<std::uint64_t>(root.whole_number("seed", 0, most).value_or(1));
   Plans plans(root, scene.notes);
   Names names;
-  scene.panes = panes_of(root, plans, names);
-  scene.pavements = pavements_of(root, plans, names);
+  read_panes(root, plans, names, scene);
+  read_pavements(root, plans, names, scene);
   if (scene.panes.empty() && scene.pavements.empty()) {
     throw InputError(Place{file_name, 0, 0, ""}, "expected a [[pane]] or a [[pavement]], got neither");
   }
   scene.still = still_of(root);
   scene.fingerprint = fingerprint_of(table, plans);
+  tell_idle_keys(root, scene.notes);
   return scene;
 }
 

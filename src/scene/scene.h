@@ -8,6 +8,7 @@
 #include "core/notes.h"
 #include "glass/pane.h"
 #include "paving/pavement.h"
+#include "scene/key_places.h"
 
 namespace shatterpave::scene {
 
@@ -26,6 +27,9 @@ struct Scene {
   std::vector<glass::Pane> panes;
   std::vector<paving::Pavement> pavements;
   Still still;
+  // Where the keys of each pane and pavement stand, one for each; empty where the scene was read from no file.
+  std::vector<KeyPlaces> pane_places;
+  std::vector<KeyPlaces> pavement_places;
   std::vector<Note> notes;  // what was read otherwise than it was written, or has no effect; each once
   // SHA-256 of all that the scene was read from: the file as it stands with its overrides, but for comments and spaces, and its
   // plans. Two scenes are the same if what they ask for is, whatever this says.

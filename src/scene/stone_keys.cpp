@@ -5,6 +5,7 @@
 #include <array>
 
 #include "paving/finishes.h"
+#include "scene/keys.h"
 
 namespace shatterpave::scene {
 
@@ -30,8 +31,7 @@ void read_finish(const TomlTable& surface, paving::Pavement& pavement) {
 }
 
 void read_surface(const TomlTable& pavement, paving::Pavement& result) {
-  const auto table = pavement.table("surface", {"height_mm", "height_spread", "inset", "inset_spread", "finish", "arris",
-                                                "arris_mm", "crown_mm", "uneven_mm", "wear_mm", "chips_per_m"});
+  const auto table = pavement.table("surface", surface_keys);
   if (!table) return;
   read_finish(*table, result);
   table->read("height_mm", {0.0, 1000.0}, result.surface.height_mm);
@@ -49,7 +49,7 @@ void read_surface(const TomlTable& pavement, paving::Pavement& result) {
 }
 
 void read_variation(const TomlTable& pavement, paving::Variation& variation) {
-  const auto table = pavement.table("variation", {"size", "rotation_deg", "offset_mm", "sink_mm", "missing", "tilt_deg"});
+  const auto table = pavement.table("variation", variation_keys);
   if (!table) return;
   table->read("size", {0.0, 0.5}, variation.size);
   variation.rotation = Angle::degrees(table->number("rotation_deg", {0.0, 45.0}).value_or(0.0));
@@ -60,16 +60,13 @@ void read_variation(const TomlTable& pavement, paving::Variation& variation) {
 }
 
 void read_relief(const TomlTable& pavement, paving::Relief& relief) {
-  const auto table = pavement.table("relief", {"rms_mm", "hurst"});
+  const auto table = pavement.table("relief", relief_keys);
   if (!table) return;
   table->read("rms_mm", {0.0, 100.0}, relief.rms_mm);
   table->read("hurst", {0.0, 1.0}, relief.hurst);
 }
 
-std::optional<TomlTable> ground_table(const TomlTable& pavement) {
-  return pavement.table("ground", {"fall_percent", "fall_deg", "level_mm", "settlement_mm", "settlement_length_mm",
-                                   "kerb_width_mm", "kerb_length_mm", "kerb_height_mm"});
-}
+std::optional<TomlTable> ground_table(const TomlTable& pavement) { return pavement.table("ground", ground_keys); }
 
 }  // namespace
 
@@ -106,7 +103,7 @@ paving::Ground ground_of(const TomlTable& pavement) {
 }
 
 std::optional<paving::Detail> detail_of(const TomlTable& pavement) {
-  const auto table = pavement.table("detail", {"viewer_mm", "close_mm", "mesh_mm"});
+  const auto table = pavement.table("detail", detail_keys);
   if (!table) return std::nullopt;
   paving::Detail detail;
   constexpr Range place{-1e9, 1e9};

@@ -39,21 +39,6 @@ std::vector<vec2> points_of(const toml::node& node, const Range& range, const st
   return points;
 }
 
-std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
 }  // namespace
 
 void refuse(const Place& place, std::string_view expected, std::string_view got) {
@@ -92,8 +77,7 @@ double number_of(const toml::node& node, const Range& range, const Place& place)
   return value;
 }
 
-TomlTable::TomlTable(const toml::table& table, const std::string& file, std::string path,
-                     std::initializer_list<std::string_view> keys)
+TomlTable::TomlTable(const toml::table& table, const std::string& file, std::string path, Keys keys)
     : table_(table), file_(file), path_(std::move(path)) {
   refuse_unknown(keys);
 }
@@ -103,7 +87,7 @@ std::string TomlTable::path_of(std::string_view key) const {
 }
 
 // The first unknown key of the file, with the known one that was likely meant.
-void TomlTable::refuse_unknown(std::initializer_list<std::string_view> keys) const {
+void TomlTable::refuse_unknown(Keys keys) const {
   std::optional<Place> first;
   std::string_view name;
   for (const auto& [key, value] : table_) {
@@ -120,13 +104,18 @@ void TomlTable::refuse_unknown(std::initializer_list<std::string_view> keys) con
     name = key.str();
   }
   if (!first) return;
-  const std::string_view meant = nearest(name, keys);
-  throw InputError(*first, meant.empty() ? std::string("unknown key") : fmt::format("unknown key; did you mean {}?", meant));
+  throw InputError(*first, fmt::format("unknown key; {}", hint(name, {keys.begin(), keys.end()})));
 }
 
 Place TomlTable::place(std::string_view key) const {
   const toml::node* node = find(key);
   return place_of(node != nullptr ? *node : table_, file_, path_of(key));
+}
+
+std::optional<Place> TomlTable::place_of_given(std::string_view path) const {
+  const auto view = table_.at_path(path);
+  if (view.node() == nullptr) return std::nullopt;
+  return place_of(*view.node(), file_, path_of(path));
 }
 
 std::optional<double> TomlTable::number(std::string_view key, const Range& range) const {
@@ -218,18 +207,19 @@ std::optional<std::size_t> TomlTable::choice(std::string_view key, std::initiali
   if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
   std::string expected;
   for (const std::string_view name : choices) expected += fmt::format("{}\"{}\"", expected.empty() ? "" : " or ", name);
-  refuse(place(key), expected, description(*node));
+  const std::string_view meant = value == nullptr ? std::string_view() : nearest(value->get(), choices);
+  refuse(place(key), expected,
+         description(*node) + (meant.empty() ? std::string() : fmt::format("; did you mean \"{}\"?", meant)));
 }
 
-std::optional<TomlTable> TomlTable::table(std::string_view key, std::initializer_list<std::string_view> keys) const {
+std::optional<TomlTable> TomlTable::table(std::string_view key, Keys keys) const {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_table()) refuse(place(key), fmt::format("a table [{}]", path_of(key)), description(*node));
   return TomlTable(*node->as_table(), file_, path_of(key), keys);
 }
 
-std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t limit,
-                                         std::initializer_list<std::string_view> keys) const {
+std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t limit, Keys keys) const {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
   const toml::array* array = node->as_array();
@@ -246,20 +236,6 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key, std::size_t limit
     result.emplace_back(*element.as_table(), file_, path, keys);
   }
   return result;
-}
-
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
-  std::string_view best;
-  // More than a third of the letters wrong is another word, not a slip.
-  std::size_t fewest = std::max<std::size_t>(2, word.size() / 3) + 1;
-  if (word.size() > 64) return best;
-  for (const std::string_view candidate : candidates) {
-    const std::size_t count = edits(word, candidate);
-    if (count >= fewest) continue;
-    fewest = count;
-    best = candidate;
-  }
-  return best;
 }
 
 }  // namespace shatterpave::scene

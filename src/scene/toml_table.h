@@ -14,6 +14,8 @@
 
 #include "core/error.h"
 #include "core/vec.h"
+#include "core/words.h"
+#include "scene/keys.h"
 
 namespace shatterpave::scene {
 
@@ -49,13 +51,16 @@ class TomlTable {
  public:
   // `path` is the table's own key, "" for the root; `keys` are all keys that it may have: any other is refused here. The
   // table and `file` must outlive this.
-  TomlTable(const toml::table& table, const std::string& file, std::string path, std::initializer_list<std::string_view> keys);
+  TomlTable(const toml::table& table, const std::string& file, std::string path, Keys keys);
 
   bool has(std::string_view key) const { return table_.contains(key); }
   const std::string& file() const { return file_; }
   const std::string& path() const { return path_; }
+  const toml::table& node() const { return table_; }
   // Of the value of `key`; where there is none, of the table.
   Place place(std::string_view key) const;
+  // Of the value at a path of keys, `surface.inset` or `impact[1]`; nothing where there is none.
+  std::optional<Place> place_of_given(std::string_view path) const;
   // Of the table.
   Place place() const { return place_of(table_, file_, path_); }
 
@@ -77,21 +82,18 @@ class TomlTable {
   void read(std::string_view key, const Range& range, double& value) const { value = number(key, range).value_or(value); }
 
   // The table of that key; nothing where it is missing.
-  std::optional<TomlTable> table(std::string_view key, std::initializer_list<std::string_view> keys) const;
+  std::optional<TomlTable> table(std::string_view key, Keys keys) const;
   // The tables of an array of tables, each with its path; empty where the key is missing. At most `limit` of them.
-  std::vector<TomlTable> tables(std::string_view key, std::size_t limit, std::initializer_list<std::string_view> keys) const;
+  std::vector<TomlTable> tables(std::string_view key, std::size_t limit, Keys keys) const;
 
  private:
   const toml::node* find(std::string_view key) const { return table_.get(key); }
   std::string path_of(std::string_view key) const;
-  void refuse_unknown(std::initializer_list<std::string_view> keys) const;
+  void refuse_unknown(Keys keys) const;
 
   const toml::table& table_;
   const std::string& file_;
   std::string path_;
 };
-
-// The one of `candidates` that is most like `word` (by edits), or "" if none is near.
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace shatterpave::scene

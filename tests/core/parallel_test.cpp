@@ -101,5 +101,26 @@ TEST(ThreadLimit, OfTwoUsesTwoThreads) {
   EXPECT_TRUE(together);
 }
 
+TEST(ParallelHeartbeat, BeatsUntilItsEndFromAThreadOfItsOwn) {
+  std::atomic<int> beats = 0;
+  {
+    const Heartbeat heartbeat(std::chrono::milliseconds(1), [&] { ++beats; });
+    for (int i = 0; i < 5000 && beats < 3; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const int at_the_end = beats;
+  EXPECT_GE(at_the_end, 3);
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(beats, at_the_end);
+}
+
+// It ends at once, not at its next beat.
+TEST(ParallelHeartbeat, EndsBetweenBeats) {
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    const Heartbeat heartbeat(std::chrono::hours(1), [] {});
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::minutes(1));
+}
+
 }  // namespace
 }  // namespace shatterpave

@@ -143,7 +143,10 @@ TEST_F(Command, PrintsOneLineForEachFileAndNothingElse) {
   EXPECT_EQ(result.err, "");
   const Outcome check = command({"check", "s.toml"});
   EXPECT_EQ(check.status, 0);
-  EXPECT_EQ(check.out + check.err, "");
+  EXPECT_EQ(check.out,
+            "s.toml: 2 panes (window, 300 × 300 mm, 1 impact; other, 200 × 150 mm, 1 impact), 1 pavement (path, 1.1 m², about "
+            "100 stones)\n");
+  EXPECT_EQ(check.err, "");
 }
 
 TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
@@ -170,28 +173,91 @@ TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
          "names: expected other ones of the scene and of what is in it, got such that two files are called "
          "'path_textures.json'");
   // What laying would refuse, checking does.
-  expect({"check", "s.toml", "--set", "pavement.path.stone_mm=[50, 100]", "--set", "pavement.path.bond=herringbone"},
-         "pavement 'path': stone_mm: expected stones at least as long as wide for this bond, got [50, 100]");
+  expect(
+      {"check", "s.toml", "--set", "pavement.path.stone_mm=[50, 100]", "--set", "pavement.path.bond=herringbone"},
+      "--set pavement.path.stone_mm=[50, 100]: pavement[0].stone_mm: expected stones at least as long as wide for this bond, "
+      "got [50, 100]");
   expect({"export", "s.toml", "-o", "out", "--target", "foo"},
-         "shatterpave: --target: expected json or obj or povray or svg or textures, got foo (see shatterpave --help)");
+         "shatterpave: --target: expected povray, json, svg, textures or obj, got \"foo\"");
   expect({"export", "s.toml", "-o", "out", "--seed", "-1"},
          "--seed -1: seed: expected a whole number from 0 to 9223372036854775807, got -1");
   expect({"check", "s.toml", "--set", "pane[0].thickness_mm=nan"},
          "--set pane[0].thickness_mm=nan: pane[0].thickness_mm: expected a number from 0.1 to 1000, got nan");
   expect({"check", "s.toml", "--set", "seed"}, "--set seed: expected KEY=VALUE, got no '=' after a key");
   expect({"render", "s.toml", "-o", "out", "--size", "640"},
-         "shatterpave: --size: expected WxH with 1 to 16384 pixels each, got \"640\"");
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{},
-                                             {"trace", "s.toml"},
-                                             {"export", "s.toml"},
-                                             {"check", "s.toml", "--colour"},
-                                             {"export", "s.toml", "-o", "out", "--target", "blender"}}) {
-    const Outcome result = command(arguments);
-    EXPECT_EQ(result.status, 2);
+         "shatterpave: --size: expected WIDTHxHEIGHT in pixels, each from 1 to 16384, such as 640x480, got \"640\"");
+}
+
+// Each message names the word, what was expected, the names there are, and the one that was probably meant.
+TEST_F(Command, WrongUsageNamesTheWordAndWhatWasMeant) {
+  write_file(root / "t.toml", scene);
+  write_file(root / "binary.toml", std::string("\x7f"
+                                               "ELF\x02\x01\x01\0\xff\xfe",
+                                               10));
+  fs::create_directories(root / "folder.toml");
+  const Files before = files_in(root);
+  struct Usage {
+    std::vector<std::string> arguments;
+    std::string message;
+  };
+  const std::string commands = "shatterpave: expected a command, export, check, measure or render, got ";
+  const std::string of_export =
+      "shatterpave: export: expected an option of -h, --help, --set, --seed, -o, --target or --threads, got ";
+  const std::string size = "shatterpave: --size: expected WIDTHxHEIGHT in pixels, each from 1 to 16384, such as 640x480, got ";
+  const std::string seed = "seed: expected a whole number from 0 to 9223372036854775807, got ";
+  const std::vector<Usage> usages = {
+      {{}, commands + "none (see shatterpave --help)"},
+      {{"exprot", "s.toml", "-o", "out"}, commands + "\"exprot\"; did you mean export?"},
+      {{"rendr", "s.toml"}, commands + "\"rendr\"; did you mean render?"},
+      {{"trace", "s.toml"}, commands + "\"trace\""},
+      {{"s.toml"}, commands + "\"s.toml\""},
+      {{"-o", "out", "export", "s.toml"}, commands + "\"-o\""},
+      {{"export", "-o", "out"}, "shatterpave: export: expected a scene file, SCENE.toml, got none"},
+      {{"export", "", "-o", "out"}, "shatterpave: export: expected a scene file, SCENE.toml, got an empty name"},
+      {{"check", "s.toml", "t.toml"}, "shatterpave: check: expected one scene file, got 2: \"s.toml\" and \"t.toml\""},
+      {{"export", "s.toml", "check"}, "shatterpave: export: expected one scene file, got 2: \"s.toml\" and \"check\""},
+      {{"export", "s.toml"}, "shatterpave: export: expected -o DIR, the output folder, got none"},
+      {{"export", "s.toml", "-o"}, "shatterpave: -o: expected DIR after it, got nothing"},
+      {{"export", "s.toml", "-o", "--seed", "3"}, "shatterpave: -o: expected DIR after it, got the option --seed"},
+      {{"export", "s.toml", "-o", "a", "-o", "b"}, "shatterpave: -o: expected it once, got it 2 times, with \"a\" and \"b\""},
+      {{"export", "s.toml", "-o", "out", "--seed", "3", "--seed=3"},
+       "shatterpave: --seed: expected it once, got it 2 times, with \"3\" and \"3\""},
+      {{"export", "s.toml", "-o", "out", "--targt", "json"}, of_export + "\"--targt\"; did you mean --target?"},
+      {{"export", "s.toml", "-o", "out", "--size", "9x9"}, of_export + "\"--size\", an option of render"},
+      {{"export", "s.toml", "-o", "out", "--frobnicate"}, of_export + "\"--frobnicate\""},
+      {{"check", "s.toml", "--target", "json"},
+       "shatterpave: check: expected an option of -h, --help, --set or --seed, got \"--target\", an option of export"},
+      {{"export", "s.toml", "-o", "out", "--target", "jsn"},
+       "shatterpave: --target: expected povray, json, svg, textures or obj, got \"jsn\"; did you mean json?"},
+      {{"export", "s.toml", "-o", "out", "--target", "json,svg"},
+       "shatterpave: --target: expected povray, json, svg, textures or obj, got \"json,svg\""},
+      {{"export", "s.toml", "-o", "out", "--target="}, "shatterpave: --target: expected TARGET after it, got \"\""},
+      {{"render", "s.toml", "-o", "out", "--quality", "fianl"},
+       "shatterpave: --quality: expected draft or final, got \"fianl\"; did you mean final?"},
+      {{"render", "s.toml", "-o", "out", "--size", "0x0"}, size + "\"0x0\""},
+      {{"render", "s.toml", "-o", "out", "--size", "640x480px"}, size + "\"640x480px\""},
+      {{"render", "s.toml", "-o", "out", "--size", "640*480"}, size + "\"640*480\""},
+      {{"render", "s.toml", "-o", "out", "--size", ""}, size + "\"\""},
+      {{"export", "s.toml", "-o", "out", "--threads", "-1"},
+       "shatterpave: --threads: expected a whole number from 0 to 1024, got \"-1\""},
+      {{"export", "s.toml", "-o", "out", "--threads", "2x"},
+       "shatterpave: --threads: expected a whole number from 0 to 1024, got \"2x\""},
+      {{"export", "s.toml", "-o", "out", "--threads", "99999999999999999999"},
+       "shatterpave: --threads: expected a whole number from 0 to 1024, got \"99999999999999999999\""},
+      {{"check", "s.toml", "--seed", ""}, "--seed : " + seed + "the text \"\""},
+      {{"check", "s.toml", "--seed", "3x"}, "--seed 3x: " + seed + "the text \"3x\""},
+      {{"check", "s.toml", "--seed", "1.5"}, "--seed 1.5: " + seed + "1.5"},
+      {{"check", "s.toml", "--set", "pane.windw.thickness_mm=3"},
+       "--set pane.windw.thickness_mm=3: expected pane[0], pane[1], pane.window or pane.other, got \"windw\"; did you mean "
+       "pane.window?"},
+      {{"check", "folder.toml"}, "folder.toml: expected a file, got a folder"},
+      {{"check", "binary.toml"}, "binary.toml:1:9: expected UTF-8 text, got the byte 0xff"},
+  };
+  for (const Usage& usage : usages) {
+    const Outcome result = command(usage.arguments);
+    EXPECT_EQ(result.status, 2) << usage.message;
     EXPECT_EQ(result.out, "");
-    EXPECT_TRUE(result.err.starts_with("shatterpave: ")) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_EQ(result.err, usage.message + "\n");
     EXPECT_EQ(files_in(root), before);
   }
 }
@@ -226,6 +292,92 @@ splinter_mm2 = 100000
   EXPECT_EQ(command({"check", "gone.toml", "--target", "obj"}).status, 0);
 }
 
+TEST_F(Command, AFolderThatCannotBeMadeIsWrongInput) {
+  fs::create_symlink(root / "nowhere" / "at" / "all", root / "dangling");
+  const auto expect = [&](const std::string& folder, const std::string& words) {
+    const Outcome result = command({"export", "s.toml", "-o", folder, "--target", "json"});
+    EXPECT_EQ(result.status, 2) << folder;
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_EQ(result.err.find("filesystem error"), std::string::npos) << result.err;
+  };
+  expect("/proc/foo", "/proc/foo: expected a folder that can be made and written to, got an error: ");
+  expect("dangling", "dangling: expected an output folder, got a link to nothing");
+  expect("dangling/below", "expected an output folder, got a link to nothing");
+  expect("/proc", "/proc: expected a folder that can be made and written to, got an error: ");
+  expect(std::string(300, 'x'), "expected a folder that can be made and written to, got an error: ");
+  if (::geteuid() == 0) return;  // who may write everywhere
+  fs::create_directories(root / "locked");
+  fs::permissions(root / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+  expect("locked", "locked: expected a folder that can be made and written to, got an error: ");
+  expect("locked/below", "expected a folder that can be made and written to, got an error: ");
+}
+
+// What cannot be laid, or has no effect, is told at its place; and the work is done.
+TEST_F(Command, TellsWhatHasNoEffectAndWhereNothingIsLaid) {
+  write_file(root / "told.toml", R"([[pane]]
+name = "w"
+size_mm = [90, 70]
+[[pane.impact]]
+at_mm = [40, 30]
+radial_count = 12
+speed_m_s = 15
+[[pavement]]
+name = "p"
+size_mm = [6, 6]
+[[pavement]]
+name = "q"
+size_mm = [300, 300]
+bond = "running"
+border_course = "soldier"
+stone_mm = [200, 150]
+[[pavement]]
+name = "none"
+size_mm = [300, 300]
+variation.missing = 1
+)");
+  const std::string idle =
+      "told.toml:7:13: pane[0].impact[0].speed_m_s: note: has no effect beside radial_count, mean_radial_count or preset\n";
+  const std::string empty =
+      "told.toml:8:1: pavement[0].stone_mm: note: no stone of p is laid: none fits in its 6 × 6 mm with joints of 8 mm\n"
+      "told.toml:15:17: pavement[1].border_course: note: leaves nothing within: of q the border course alone is laid\n"
+      "told.toml:20:21: pavement[2].variation.missing: note: leaves no stone of none\n";
+  const Outcome check = command({"check", "told.toml"});
+  EXPECT_EQ(check.status, 0);
+  EXPECT_EQ(check.err, idle + empty);
+  const Outcome exported = command({"export", "told.toml", "-o", "out", "--target", "json"});
+  EXPECT_EQ(exported.status, 0);
+  EXPECT_EQ(exported.out, "out/told.json\n");
+  EXPECT_EQ(exported.err, idle + empty);
+}
+
+// What laying and seamless tiles refuse has the place of the key.
+TEST_F(Command, RefusalsOfLayingHaveTheirPlaces) {
+  const auto expect = [&](const std::string& lines, const std::string& message) {
+    write_file(root / "laid.toml", "[[pavement]]\nname = \"p\"\nsize_mm = [900, 900]\n" + lines);
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"check", "laid.toml"},
+                                               {"export", "laid.toml", "-o", "out", "--target", "json"},
+                                               {"measure", "laid.toml", "-o", "out"}}) {
+      const Outcome result = command(arguments);
+      EXPECT_EQ(result.status, 2) << arguments.front();
+      EXPECT_EQ(result.err, message + "\n");
+      EXPECT_FALSE(fs::exists(root / "out"));
+    }
+  };
+  expect("bond = \"fan\"\nbond_span_mm = 40\n",
+         "laid.toml:5:16: pavement[0].bond_span_mm: expected 0, or at least 540 (five stones), got 40");
+  expect("bond = \"fan\"\nstone_mm = [300, 100]\n",
+         "laid.toml:5:12: pavement[0].stone_mm: expected stones at most twice as long as wide for this bond, got [300, 100]");
+  expect("bond = \"ashlar\"\n[pavement.textures]\nseamless = true\n",
+         "laid.toml:6:12: pavement[0].textures.seamless: expected a bond that repeats (not ashlar or crazy), and rows in one "
+         "direction");
+  expect("textures = {seamless = true, tile_mm = [3, 3]}\n",
+         "laid.toml:4:40: pavement[0].textures.tile_mm: expected a tile that whole periods of the bond fit, such as [108.000, "
+         "1080.000], got [3, 3]");
+}
+
 TEST_F(Command, MeasuresTheSameBytesWithAnyThreads) {
   const auto measured = [&](const std::string& folder, const std::string& threads, const std::string& seed) {
     const Outcome result = command(
@@ -255,15 +407,17 @@ TEST_F(Command, WrongUsageOfMeasureEndsWithTwoAndWritesNothing) {
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     EXPECT_EQ(files_in(root), before);
   };
-  expect({"s.toml", "--seeds", "3"}, "shatterpave: -o is required");
-  expect({"s.toml", "-o", "out", "--seeds", "0"}, "shatterpave: --seeds: ");
-  expect({"s.toml", "-o", "out", "--seeds", "-3"}, "shatterpave: ");
-  expect({"s.toml", "-o", "out", "--seeds", "many"}, "shatterpave: ");
-  expect({"s.toml", "-o", "out", "--seeds", "100001"}, "shatterpave: --seeds: ");
-  for (const char* radials : {"24", "24..", "..195", "0..5", "9..8", "24..10001", "24...195", "a..b"}) {
-    expect({"s.toml", "-o", "out", "--seeds", "3", "--radials", radials},
-           std::string("shatterpave: --radials: expected LOW..HIGH, whole numbers from 1 to 10000, got \"") + radials + "\"");
+  expect({"s.toml", "--seeds", "3"}, "shatterpave: measure: expected -o DIR, the output folder, got none");
+  for (const char* seeds : {"0", "-3", "many", "100001", "3x", ""}) {
+    expect({"s.toml", "-o", "out", "--seeds", seeds},
+           std::string("shatterpave: --seeds: expected a whole number from 1 to 100000, got \"") + seeds + "\"");
   }
+  const std::string sweep = "shatterpave: --radials: expected LOW..HIGH, whole numbers from 1 to 10000";
+  for (const char* radials : {"24", "24..", "..195", "0..5", "24..10001", "24...195", "a..b", "24-195", ""}) {
+    expect({"s.toml", "-o", "out", "--seeds", "3", "--radials", radials}, sweep + ", got \"" + radials + "\"");
+  }
+  expect({"s.toml", "-o", "out", "--radials", "195..24"},
+         sweep + ", the lower one first, got \"195..24\"; did you mean 24..195?");
   expect({"path.toml", "-o", "out", "--radials", "24..90"},
          "path.toml: expected one or more tables [[pane]] for --radials, got none");
   expect({"none.toml", "-o", "out", "--seeds", "3"}, "none.toml: expected a file");

@@ -36,6 +36,10 @@ std::string nested(const std::string& open, int times) {
   return text;
 }
 
+const std::string pane_key_names =
+    "name, size_mm, outline_mm, outline_file, outline_feature, outline_class, outline_units, thickness_mm, "
+    "preset, impact, growth, shards, glass, pattern, rings, crater, laminate, tempering, crack_body and crack_sheet";
+
 const std::vector<Case> cases = {
     // The file.
     {"empty", "", "s.toml: expected a [[pane]] or a [[pavement]], got neither"},
@@ -55,11 +59,13 @@ const std::vector<Case> cases = {
      "s.toml:4:3: pane[0].thicknes_mm: unknown key; did you mean thickness_mm?"},
     {"unknown_glass", of_pane(sized + "glass = \"float\""),
      "s.toml:4:9: pane[0].glass: expected \"annealed\" or \"laminated\" or \"tempered\", got the text \"float\""},
-    {"unknown_far_key", of_pane(sized + "colour = 3"), "s.toml:4:1: pane[0].colour: unknown key"},
-    {"unknown_impact_key", impact("at_mm = [1, 1]\nspeed = 3"), "s.toml:6:1: pane[0].impact[0].speed: unknown key"},
+    {"unknown_far_key", of_pane(sized + "colour = 3"), "s.toml:4:1: pane[0].colour: unknown key; there are " + pane_key_names},
+    {"unknown_impact_key", impact("at_mm = [1, 1]\nspeed = 3"),
+     "s.toml:6:1: pane[0].impact[0].speed: unknown key; did you mean speed_m_s?"},
     {"unknown_growth_key", of_pane(sized + "growth.sector_radius = 3"),
      "s.toml:4:8: pane[0].growth.sector_radius: unknown key; did you mean sector_radius_px?"},
-    {"unknown_shards_key", of_pane(sized + "shards.gap = 3"), "s.toml:4:8: pane[0].shards.gap: unknown key"},
+    {"unknown_shards_key", of_pane(sized + "shards.gap = 3"),
+     "s.toml:4:8: pane[0].shards.gap: unknown key; did you mean gap_mm?"},
     {"shards_gap_of_nothing", of_pane(sized + "shards.gap_mm = 0"),
      "s.toml:4:17: pane[0].shards.gap_mm: expected a number from 0.02 to 10, got 0"},
     {"shards_flag", of_pane(sized + "shards.enabled = 1"),
@@ -68,8 +74,10 @@ const std::vector<Case> cases = {
      "s.toml:4:17: pane[0].shards.joined: expected true or false, got the text \"yes\""},
     {"floor_above_sill", of_pane(sized + "shards.floor_drop_mm = 24"),
      "s.toml:4:24: pane[0].shards.floor_drop_mm: expected a floor not above the sill, so 25 or more, got 24"},
-    {"first_unknown_key", "zzz = 1\nyyy = 2\n" + of_pane(sized), "s.toml:1:1: zzz: unknown key"},
-    {"strange_key", "\"a\\nb\" = 1\n" + of_pane(sized), "s.toml:1:1: ?: unknown key"},
+    {"first_unknown_key", "zzz = 1\nyyy = 2\n" + of_pane(sized),
+     "s.toml:1:1: zzz: unknown key; there are seed, plan, pane, pavement and still"},
+    {"strange_key", "\"a\\nb\" = 1\n" + of_pane(sized),
+     "s.toml:1:1: ?: unknown key; there are seed, plan, pane, pavement and still"},
     // Kinds of values.
     {"seed_text", "seed = \"7\"\n" + of_pane(sized),
      "s.toml:1:8: seed: expected a whole number from 0 to 9223372036854775807, got the text \"7\""},
@@ -161,7 +169,8 @@ const std::vector<Case> cases = {
      "s.toml:3:14: pane[0].outline_mm: expected a ring that does not touch itself, got edge 0 of the outline and edge 3 of the "
      "outline "
      "meeting at (5, 0)"},
-    {"holes_in_pane", of_pane(sized + "holes_mm = []"), "s.toml:4:1: pane[0].holes_mm: unknown key"},
+    {"holes_in_pane", of_pane(sized + "holes_mm = []"),
+     "s.toml:4:1: pane[0].holes_mm: unknown key; there are " + pane_key_names},
     {"textures_too_large", of_path(sized + "textures = {size_px = 20000}"),
      "s.toml:4:23: pavement[0].textures.size_px: expected a whole number from 256 to 16384, got 20000"},
     {"textures_format", of_path(sized + "textures = {format = \"tga\"}"),
@@ -311,14 +320,18 @@ const std::vector<OverrideCase> override_cases = {
      "--set pane[0].thickness_mm=3,5: pane[0].thickness_mm: expected a number from 0.1 to 1000, got the text \"3,5\""},
     {"two_values", "seed=1\npane=2",
      "--set seed=1\npane=2: seed: expected a whole number from 0 to 9223372036854775807, got the text \"1\\x0apane=2\""},
-    {"unknown", "pane[0].thick=3", "--set pane[0].thick=3: pane[0].thick: unknown key"},
+    {"unknown", "pane[0].thick=3", "--set pane[0].thick=3: pane[0].thick: unknown key; did you mean thickness_mm?"},
     {"made_table", "pane[0].growht.time_step=1",
      "--set pane[0].growht.time_step=1: pane[0].growht: unknown key; did you mean growth?"},
-    {"index", "pane[1].thickness_mm=3", "--set pane[1].thickness_mm=3: expected an index below 1, got 1"},
-    {"name", "pavement.yard.joint_mm=3",
-     "--set pavement.yard.joint_mm=3: expected an index or the name of an element, got \"yard\""},
+    {"near_name", "pane.windw.thickness_mm=3",
+     "--set pane.windw.thickness_mm=3: expected pane[0] or pane.window, got \"windw\"; did you mean pane.window?"},
+    {"swapped_letters", "pavement.paht.joint_mm=3",
+     "--set pavement.paht.joint_mm=3: expected pavement[0] or pavement.path, got \"paht\"; did you mean pavement.path?"},
+    {"index", "pane[1].thickness_mm=3", "--set pane[1].thickness_mm=3: expected pane[0] or pane.window, got \"pane[1]\""},
+    {"name", "pavement.yard.joint_mm=3", "--set pavement.yard.joint_mm=3: expected pavement[0] or pavement.path, got \"yard\""},
     {"no_table", "pane[0].name.x=3",
-     "--set pane[0].name.x=3: expected a key that leads to a value, got one that goes on after the text \"window\""},
+     "--set pane[0].name.x=3: expected a key that leads to a value, got one that goes on after pane[0].name, which is the "
+     "text \"window\""},
     {"double_dot", "pane..x=3",
      "--set pane..x=3: expected a key such as seed, pane[0].thickness_mm or pavement.path.joint_mm, got \"pane..x\""},
     {"open_bracket", "pane[0=3",

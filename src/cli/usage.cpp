@@ -1,0 +1,163 @@
+#include "cli/usage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include "core/error.h"
+#include "core/words.h"
+
+namespace shatterpave::cli {
+
+namespace {
+
+constexpr std::string_view program = "shatterpave";
+
+std::vector<std::string_view> views(const Texts& texts) { return {texts.begin(), texts.end()}; }
+
+std::vector<const CLI::App*> commands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+// "--target", "-o".
+Texts option_names(const CLI::App& command) {
+  Texts names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+const CLI::Option* option_of(const CLI::App& command, const std::string& name) { return command.get_option_no_throw(name); }
+
+bool is_option(const CLI::App& command, const std::string& word) {
+  const Texts names = option_names(command);
+  return std::ranges::find(names, word) != names.end();
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& names) {
+  const std::string_view meant = nearest(word, names);
+  return meant.empty() ? std::string() : fmt::format("; did you mean {}?", meant);
+}
+
+[[noreturn]] void refuse_command(const CLI::App& app, const std::string& word) {
+  Texts names;
+  for (const CLI::App* command : commands(app)) names.push_back(command->get_name());
+  const std::string expected = "a command, " + listed(views(names), "or");
+  if (word.empty()) throw InputError(fmt::format("{}: expected {}, got none (see {} --help)", program, expected, program));
+  throw InputError(
+      fmt::format("{}: expected {}, got {}{}", program, expected, in_quotes(word), did_you_mean(word, views(names))));
+}
+
+[[noreturn]] void refuse_option(const CLI::App& app, const CLI::App& command, const std::string& word) {
+  const Texts names = option_names(command);
+  std::string hint = did_you_mean(word, views(names));
+  for (const CLI::App* other : commands(app)) {
+    if (is_option(*other, word)) hint = fmt::format(", an option of {}", other->get_name());
+  }
+  refuse_usage(command.get_name(), "an option of " + listed(views(names), "or"), in_quotes(word) + hint);
+}
+
+// The option that a word begins: `--target`, `--target=json`, `-o`, `-oDIR`. The rest of the word is its value.
+struct OptionWord {
+  std::string name;
+  std::optional<std::string> value;
+};
+
+OptionWord option_word(const std::string& word) {
+  if (!word.starts_with("--")) {
+    return {word.substr(0, 2), word.size() > 2 ? std::optional(word.substr(2)) : std::nullopt};
+  }
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos) return {word, std::nullopt};
+  return {word.substr(0, equals), word.substr(equals + 1)};
+}
+
+void require_value(const CLI::App& command, const CLI::Option& option, const OptionWord& given,
+                   const std::optional<std::string>& next) {
+  const std::string expected = fmt::format("{} after it", option.get_type_name());
+  const std::optional<std::string>& value = given.value ? given.value : next;
+  if (!value) refuse_usage(given.name, expected, "nothing");
+  // CLI11 takes {} for nothing, and what follows for the value of an option with nothing after its '='.
+  if (*value == "{}" || (given.value && value->empty())) refuse_usage(given.name, expected, in_quotes(*value));
+  if (!given.value && is_option(command, *value)) refuse_usage(given.name, expected, "the option " + *value);
+}
+
+}  // namespace
+
+void refuse_usage(std::string_view what, std::string_view expected, std::string_view got) {
+  throw InputError(fmt::format("{}: {}: expected {}, got {}", program, what, expected, got));
+}
+
+std::optional<std::string> the_only(const Texts& given, std::string_view option) {
+  if (given.empty()) return std::nullopt;
+  if (given.size() > 1) {
+    refuse_usage(option, "it once",
+                 fmt::format("it {} times, with {} and {}", given.size(), in_quotes(given[0]), in_quotes(given[1])));
+  }
+  return given.front();
+}
+
+std::optional<std::int64_t> whole_number(std::string_view text, const WholeRange& range) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value < range.low || value > range.high) return std::nullopt;
+  return value;
+}
+
+std::int64_t whole_number_of(std::string_view text, std::string_view option, const WholeRange& range) {
+  const auto value = whole_number(text, range);
+  if (!value) refuse_usage(option, fmt::format("a whole number from {} to {}", range.low, range.high), in_quotes(text));
+  return *value;
+}
+
+std::size_t choice_of(std::string_view text, std::string_view option, std::span<const std::string_view> names) {
+  const auto at = std::ranges::find(names, text);
+  if (at != names.end()) return static_cast<std::size_t>(at - names.begin());
+  const std::vector<std::string_view> all(names.begin(), names.end());
+  refuse_usage(option, listed(all, "or"), in_quotes(text) + did_you_mean(text, all));
+}
+
+void require_known_words(const CLI::App& app, const Texts& words) {
+  if (words.empty()) refuse_command(app, "");
+  if (is_option(app, words.front())) return;
+  const CLI::App* command = nullptr;
+  for (const CLI::App* known : commands(app)) {
+    if (known->get_name() == words.front()) command = known;
+  }
+  if (command == nullptr) refuse_command(app, words.front());
+  Texts scenes;
+  bool only_scenes = false;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word == "--" && !only_scenes) {
+      only_scenes = true;
+      continue;
+    }
+    if (only_scenes || word.size() < 2 || word.front() != '-') {
+      scenes.push_back(word);
+      continue;
+    }
+    const OptionWord given = option_word(word);
+    if (!is_option(*command, given.name)) refuse_option(app, *command, given.name);
+    const CLI::Option& option = *option_of(*command, given.name);
+    if (option.get_items_expected_min() == 0) continue;
+    require_value(*command, option, given, i + 1 < words.size() ? std::optional(words[i + 1]) : std::nullopt);
+    if (!given.value) ++i;
+  }
+  if (scenes.size() < 2) return;
+  refuse_usage(command->get_name(), "one scene file",
+               fmt::format("{}: {} and {}", scenes.size(), in_quotes(scenes[0]), in_quotes(scenes[1])));
+}
+
+void refuse_parsed(const CLI::ParseError& error) {
+  std::string text = error.what();
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  std::ranges::replace(text, '\n', ' ');
+  throw InputError(fmt::format("{}: {} (see {} --help)", program, text, program));
+}
+
+}  // namespace shatterpave::cli

@@ -1,0 +1,202 @@
+#include "pipeline/outlook.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "geometry/clip.h"
+#include "paving/border.h"
+#include "paving/packing.h"
+
+namespace shatterpave::pipeline {
+
+namespace {
+
+using paving::Bond;
+using paving::Pavement;
+
+// More are only counted.
+constexpr std::size_t most_named = 4;
+// Modules that a stone of random ashlar takes in the mean, and how many stones more than by area there are for each stone's
+// length of border: by counting those of scenes/bonds.toml.
+constexpr double ashlar_modules = 2.6;
+constexpr double cut_more = 0.2;
+
+double length_of(const geometry::Polygon& ring) {
+  double total = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i) total += glm::length(ring[(i + 1) % ring.size()] - ring[i]);
+  return total;
+}
+
+double border_length(const geometry::Region& area) {
+  double total = length_of(area.outline);
+  for (const geometry::Polygon& hole : area.holes) total += length_of(hole);
+  return total;
+}
+
+// The area that a stone of the bond and its joints take, mm².
+double area_of_a_stone(const Pavement& pavement) {
+  const vec2 pitch = paving::pitch_mm(pavement);
+  switch (pavement.bonding.bond) {
+    case Bond::hexagon:
+      return 0.5 * std::sqrt(3.0) * pitch.x * pitch.y;
+    case Bond::basket_weave:
+      return pitch.x * pitch.x / std::max(1.0, std::round(pitch.x / pitch.y));
+    case Bond::ashlar:
+      return ashlar_modules * pitch.x * pitch.y;
+    default:
+      return pitch.x * pitch.y;
+  }
+}
+
+// Whole stones by area. Along the border half a stone more is cut than by area, but small pieces are joined to their
+// neighbours.
+double expected_stones(const Pavement& pavement) {
+  const double one = area_of_a_stone(pavement);
+  double count = 0.0;
+  std::vector<geometry::Region> field = {pavement.area};
+  if (pavement.border.course != paving::BorderCourse::none) {
+    const vec2 border = paving::border_stone_mm(pavement) + vec2(pavement.joint_mm);
+    count += border_length(pavement.area) / border.x;
+    field = geometry::offset(pavement.area, -border.y);
+  }
+  for (const geometry::Region& region : field) {
+    count += geometry::area(region) / one + cut_more * border_length(region) / std::sqrt(one);
+  }
+  return count * (1.0 - pavement.variation.missing);
+}
+
+// To two digits.
+std::string rounded_count(double count) {
+  double unit = 1.0;
+  while (count >= 100.0 * unit) unit *= 10.0;
+  return fmt::format("{:.0f}", std::round(count / unit) * unit);
+}
+
+std::string counted(std::size_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+std::string area_text(double mm2) {
+  if (mm2 < 1e5) return fmt::format("{:.0f} mm²", mm2);
+  return fmt::format("{:.{}f} m²", mm2 * 1e-6, mm2 < 1e8 ? 1 : 0);
+}
+
+std::string text_of(const glass::Pane& pane) {
+  const geometry::Box box = geometry::bounding_box(pane.outline_mm);
+  const std::string_view kind = pane.glass == glass::GlassKind::laminated  ? ", laminated"
+                                : pane.glass == glass::GlassKind::tempered ? ", tempered"
+                                                                           : "";
+  return fmt::format("{}, {:.6g} × {:.6g} mm{}, {}{}", pane.name, box.high.x - box.low.x, box.high.y - box.low.y, kind,
+                     counted(pane.impacts.size(), "impact"), pane.shards ? ", shards" : "");
+}
+
+std::string text_of(const Pavement& pavement) {
+  return fmt::format("{}, {}, about {} stones{}", pavement.name, area_text(geometry::area(pavement.area)),
+                     rounded_count(expected_stones(pavement)), pavement.kerb.width_mm > 0.0 ? ", a kerb" : "");
+}
+
+std::string text_of_rest(std::size_t count, const std::vector<glass::Pane>& /*panes*/) { return fmt::format("{} more", count); }
+
+std::string text_of_rest(std::size_t count, const std::vector<Pavement>& pavements) {
+  double area = 0.0;
+  double stones = 0.0;
+  for (const Pavement& pavement : pavements) {
+    area += geometry::area(pavement.area);
+    stones += expected_stones(pavement);
+  }
+  return fmt::format("{} more; in all {}, about {} stones", count, area_text(area), rounded_count(stones));
+}
+
+template <typename Thing>
+void append(std::string_view name, const std::vector<Thing>& things, std::string& text) {
+  if (things.empty()) return;
+  text += fmt::format("{}{} (", text.empty() ? "" : ", ", counted(things.size(), name));
+  const std::size_t named = things.size() <= most_named ? things.size() : most_named - 1;
+  for (std::size_t i = 0; i < named; ++i) text += (i > 0 ? "; " : "") + text_of(things[i]);
+  if (named < things.size()) text += "; " + text_of_rest(things.size() - named, things);
+  text += ")";
+}
+
+Place place_in(const std::vector<scene::KeyPlaces>& places, std::size_t i, const std::string& name, std::string_view member) {
+  Place place = i < places.size() ? places[i].place(member) : Place{};
+  if (place.key.empty()) place.key = fmt::format("{}.{}", name, member);
+  return place;
+}
+
+Note nothing_laid(const scene::Scene& scene, std::size_t i) {
+  const Pavement& pavement = scene.pavements[i];
+  const auto place = [&](std::string_view member) { return place_in(scene.pavement_places, i, pavement.name, member); };
+  if (pavement.variation.missing == 1.0) return {place("variation.missing"), "leaves no stone of " + pavement.name};
+  const geometry::Box box = geometry::bounding_box(pavement.area.outline);
+  return {place("stone_mm"), fmt::format("no stone of {} is laid: none fits in its {:.6g} × {:.6g} mm with joints of {} mm",
+                                         pavement.name, box.high.x - box.low.x, box.high.y - box.low.y, pavement.joint_mm)};
+}
+
+Note nothing_within(const scene::Scene& scene, std::size_t i) {
+  const Pavement& pavement = scene.pavements[i];
+  return {place_in(scene.pavement_places, i, pavement.name, "border_course"),
+          fmt::format("leaves nothing within: of {} the border course alone is laid", pavement.name)};
+}
+
+bool is_all_border(const Pavement& pavement) {
+  if (pavement.border.course == paving::BorderCourse::none) return false;
+  return geometry::offset(pavement.area, -(paving::border_stone_mm(pavement).y + pavement.joint_mm)).empty();
+}
+
+bool has_no_room(const Pavement& pavement) {
+  return pavement.variation.missing == 1.0 ||
+         (pavement.joint_mm > 0.0 && geometry::offset(pavement.area, -0.5 * pavement.joint_mm).empty());
+}
+
+}  // namespace
+
+std::string summary(const scene::Scene& scene) {
+  std::string text;
+  append("pane", scene.panes, text);
+  append("pavement", scene.pavements, text);
+  return text;
+}
+
+std::vector<Note> emptiness(const scene::Scene& scene) {
+  std::vector<Note> notes;
+  for (std::size_t i = 0; i < scene.pavements.size(); ++i) {
+    if (has_no_room(scene.pavements[i])) {
+      notes.push_back(nothing_laid(scene, i));
+    } else if (is_all_border(scene.pavements[i])) {
+      notes.push_back(nothing_within(scene, i));
+    }
+  }
+  return notes;
+}
+
+std::vector<Note> emptiness(const scene::Scene& scene, const exporting::Model& model) {
+  std::vector<Note> notes;
+  for (std::size_t i = 0; i < model.panes.size(); ++i) {
+    const exporting::BrokenPane& broken = model.panes[i];
+    const auto is_there = [](const glass::Shard& shard) { return shard.state != glass::ShardState::missing; };
+    if (!broken.pane.shards || std::ranges::any_of(broken.shards, is_there)) continue;
+    notes.push_back(
+        {place_in(scene.pane_places, i, broken.pane.name, "shards"),
+         fmt::format("leave nothing of {}: every piece is missing or smaller than splinter_mm2", broken.pane.name)});
+  }
+  std::size_t at = 0;  // in the model, where a kerb follows its pavement
+  for (std::size_t i = 0; i < scene.pavements.size(); ++i) {
+    const bool has_kerb = scene.pavements[i].kerb.width_mm > 0.0;
+    if (model.pavements[at].layout.stones.empty()) {
+      notes.push_back(nothing_laid(scene, i));
+    } else if (is_all_border(scene.pavements[i])) {
+      notes.push_back(nothing_within(scene, i));
+    }
+    if (has_kerb && model.pavements[at + 1].layout.stones.empty()) {
+      notes.push_back({place_in(scene.pavement_places, i, scene.pavements[i].name, "ground.kerb_width_mm"),
+                       fmt::format("no kerb stone of {} is laid", scene.pavements[i].name)});
+    }
+    at += has_kerb ? 2 : 1;
+  }
+  return notes;
+}
+
+}  // namespace shatterpave::pipeline

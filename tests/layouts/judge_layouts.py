@@ -1,0 +1,414 @@
+#!/usr/bin/python3
+"""Judges layouts with shapely (GEOS), which the product has nothing in common with.
+
+   judge_layouts.py < LINES                                  lines as random_layouts writes them
+   judge_layouts.py --run PROGRAM --first N --count M [--processes P] [FILE.geojson ...]     runs random_layouts itself
+   judge_layouts.py --self-test < LINES                      sound layouts are spoilt: each must be found out
+
+Prints how many layouts there were of each bond and field and what is wrong with them, the worst of each fault with the scenes that make
+them, and the largest stones of the bonds without a limit. Exit status 1 where anything is wrong.
+
+Faults, each exact in micrometres or with the tolerance that stands below:
+   failed     the program ended otherwise than by laying or by refusing
+   invalid    an outline that is not simple or not counter-clockwise
+   overlap    stones have inner points in common; its measure is their area in mm2
+   touching   stones have points in common, but no inner ones
+   outside    a stone leaves the area or enters a hole; mm2
+   bare       the widest disc in what is left bare when stones are grown by half a joint and the border's half joint is taken off, over a
+              tenth of the stone's longer side; its measure is the diameter over the longer side
+   large      a stone fits no stone of its stock at any rotation: of bonds with straight sides, and of borders; its measure is the side of
+              the square that it would fit were the stock one, over the stock's
+"""
+import argparse, collections, json, math, multiprocessing, re, subprocess, sys, time
+import numpy
+from shapely.geometry import Polygon
+from shapely.ops import unary_union
+from shapely.prepared import prep
+
+UM = 1000.0                  # micrometres in a millimetre: all geometry below is in micrometres, where coordinates are whole numbers
+BARE_SHARE = 0.1             # of the stone's longer side
+GROWTH = 1.02                # joints on bent fields are a little wider than asked for; design: 10 % at the 95th percentile
+GROWTH_MM = 0.01             # and stones draw back by a hairline where there is no joint
+MITRE = 5.0
+FIT_MM = 0.05                # how much larger than its stock a stone may be
+KINDS = ("failed", "invalid", "overlap", "touching", "outside", "bare", "large")
+STRAIGHT = ("herringbone", "basket_weave", "hexagon", "ashlar")
+
+
+def hexagon_face(pitch, joint):
+    half, side = pitch[0] / 2, pitch[1] / math.sqrt(3)
+    tile = Polygon([(0, -side), (half, -side / 2), (half, side / 2), (0, side), (-half, side / 2), (-half, -side / 2)])
+    return tile.buffer(-joint / 2, join_style=2)
+
+
+class Stock:
+    """The rectangles, mm, that a stone must fit one of, and the largest area, mm2."""
+
+    def __init__(self, rectangles, area=None):
+        self.rectangles = rectangles
+        self.area = area or max(a * b for a, b in rectangles)
+
+
+def field_stock(layout):
+    """What stone_mm means to each bond (src/paving/bond.h), and whether the bond has straight sides."""
+    (a, b), joint, bond = layout["stone_mm"], layout["joint_mm"], layout["bond"]
+    pitch = (a + joint, b + joint)
+    straight = bond in STRAIGHT or layout["field"] == "constant" and bond in ("packed", "running", "stack") \
+        or layout["field"] != "radial" and bond in ("running", "stack")
+    if bond == "basket_weave":
+        return Stock([(a, pitch[0] / max(1, math.floor(pitch[0] / pitch[1] + 0.5)) - joint)]), straight
+    if bond == "hexagon":
+        face = hexagon_face(pitch, joint)
+        low_x, low_y, high_x, high_y = face.bounds
+        return Stock([(high_x - low_x, high_y - low_y)], face.area), straight
+    if bond == "ashlar":
+        return Stock([(k * pitch[0] - joint, l * pitch[1] - joint) for k, l in ((3, 2), (2, 3))]), straight
+    return Stock([(a, b)]), straight
+
+
+def extents(points, angles):
+    """Lengths along and across each of the angles."""
+    along = numpy.stack([numpy.cos(angles), numpy.sin(angles)])
+    across = numpy.stack([-along[1], along[0]])
+    u, v = points @ along, points @ across
+    return u.max(0) - u.min(0), v.max(0) - v.min(0)
+
+
+def excess(points, rectangles):
+    """How many times larger than one of the rectangles (um) it would have to be at the best rotation; <= 1 fits."""
+    edges = numpy.roll(points, -1, 0) - points
+    hull = numpy.array(Polygon(points).convex_hull.exterior.coords)
+    edges = numpy.concatenate([edges, numpy.diff(hull, axis=0)])
+    angles = numpy.concatenate([numpy.arctan2(edges[:, 1], edges[:, 0]), numpy.linspace(0, math.pi, 361)])
+    angles = numpy.concatenate([angles, angles + math.pi / 2])
+    best = math.inf
+    for a, b in rectangles:
+        u, v = extents(points, angles)
+        ratio = numpy.maximum(u / a, v / b)
+        near = angles[ratio.argmin()] + numpy.linspace(-0.01, 0.01, 201)  # between two of the scan
+        u, v = extents(points, near)
+        best = min(best, ratio.min(), numpy.maximum(u / a, v / b).min())
+    return best
+
+
+def near_pairs(boxes):
+    """Pairs of boxes with a point in common."""
+    low, high = boxes[:, :2], boxes[:, 2:]
+    meet = (low[:, None, 0] <= high[None, :, 0]) & (low[None, :, 0] <= high[:, None, 0])
+    meet &= (low[:, None, 1] <= high[None, :, 1]) & (low[None, :, 1] <= high[:, None, 1])
+    return numpy.argwhere(numpy.triu(meet, 1))
+
+
+def edges_cross(a, b):
+    """Whether a side of one crosses a side of the other within both: exact, in whole numbers."""
+    def side(p, q, r):
+        d = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+        return (d > 0) - (d < 0)
+    for p, q in zip(a, a[1:] + a[:1]):
+        for r, s in zip(b, b[1:] + b[:1]):
+            if side(p, q, r) * side(p, q, s) < 0 and side(r, s, p) * side(r, s, q) < 0:
+                return True
+    return False
+
+
+def twice_area(ring):
+    (x0, y0) = ring[0]
+    return sum((p[0] - x0) * (q[1] - y0) - (q[0] - x0) * (p[1] - y0) for p, q in zip(ring, ring[1:] + ring[:1]))
+
+
+def widest_disc(shape):
+    """Its diameter, to a micrometre of a millimetre or so, and its middle."""
+    parts = [p for p in getattr(shape, "geoms", [shape]) if p.area > 0]
+    best, middle = 0.0, None
+    for part in sorted(parts, key=lambda p: -p.area):
+        high = min(part.bounds[2] - part.bounds[0], part.bounds[3] - part.bounds[1])
+        if high <= best or part.buffer(-best / 2, 2).is_empty:
+            continue
+        low = best
+        for _ in range(16):
+            half = (low + high) / 2
+            left = part.buffer(-half / 2, 4)
+            if left.is_empty:
+                high = half
+            else:
+                low, middle = half, left.representative_point()
+        best = low
+    return best, middle
+
+
+def bare_spot(area, stones, layout, least):
+    """Diameter of the widest bare disc, um, if it is over `least`, else 0; and its place, mm."""
+    joint = layout["joint_mm"] * UM
+    inner = area.buffer(-joint / 2, join_style=2, mitre_limit=MITRE) if joint > 0 else area
+    grown = unary_union([s.buffer(joint / 2 * GROWTH + GROWTH_MM * UM, join_style=2, mitre_limit=MITRE) for s in stones])
+    bare = inner.difference(grown)
+    if bare.is_empty or bare.buffer(-least / 2, 4).is_empty:
+        return 0.0, None
+    diameter, middle = widest_disc(bare)
+    return diameter, middle and (middle.x / UM, middle.y / UM)
+
+
+def faults_of_pairs(stones, rings):
+    overlap, touching, pairs = 0.0, 0, 0
+    for i, j in near_pairs(numpy.array([s.bounds for s in stones])):
+        if not stones[i].intersects(stones[j]):
+            continue
+        if stones[i].touches(stones[j]) and not edges_cross(rings[i], rings[j]):
+            touching += 1
+        else:
+            overlap += max(stones[i].intersection(stones[j]).area / UM**2, 1e-9)
+            pairs += 1
+    return overlap, pairs, touching
+
+
+def is_of_border(area, layout):
+    """A function of a stone."""
+    if layout["border"] == "none":
+        return lambda stone: False
+    depth = (layout["border_stone_mm"][1] + layout["joint_mm"]) * UM
+    within = prep(area.buffer(-depth, join_style=2))
+    return lambda stone: not within.contains(stone.centroid)
+
+
+def sizes(area, stones, layout):
+    """The largest excess of stones over their stock where there is a limit, and of the others with their areas over it."""
+    stock, straight = field_stock(layout)
+    border = Stock([layout["border_stone_mm"]])
+    of_border = is_of_border(area, layout)
+    worst, longest, heaviest, oversized = 0.0, 0.0, 0.0, 0
+    for stone, given in zip(stones, layout["stones"]):
+        bounded = of_border(stone)
+        its = border if bounded else stock
+        points = numpy.array(given["outline_um"], float)
+        limited = bounded or straight
+        rectangles = [(a * UM, b * UM) for a, b in its.rectangles]
+        allowed = [(a + FIT_MM * UM, b + FIT_MM * UM) for a, b in rectangles]
+        angle = math.radians(given["angle_deg"])
+        u, v = extents(points, numpy.array([angle, angle + math.pi / 2]))
+        fits = any((u[k] <= a and v[k] <= b) for a, b in allowed for k in (0, 1))
+        over = 0.0 if fits else excess(points, allowed)
+        area_over = stone.area / UM**2 / its.area
+        if limited:
+            # Tolerances are of lengths; over an area they come to as much along both sides.
+            if over > 1.0 or area_over > max((1 + FIT_MM / a) * (1 + FIT_MM / b) for a, b in its.rectangles):
+                worst = max(worst, over, math.sqrt(area_over))
+                oversized += 1
+        else:
+            longest = max(longest, over if over > 1.0 else 1.0)
+            heaviest = max(heaviest, area_over)
+    return worst, oversized, longest, heaviest
+
+
+def judged(layout):
+    """{fault: measure}, and what else is of interest."""
+    faults, notes = {}, {"stones": 0, "longest": 0.0, "heaviest": 0.0}
+    if "failed" in layout:
+        return {"failed": 1.0}, notes
+    if "refused" in layout:
+        return faults, notes
+    area = Polygon(layout["outline_um"], layout["holes_um"])
+    rings = [[tuple(p) for p in s["outline_um"]] for s in layout["stones"]]
+    stones = [Polygon(ring) for ring in rings]
+    notes["stones"] = len(stones)
+    bad = [k for k, s in enumerate(stones) if not s.is_valid or twice_area(rings[k]) <= 0]
+    if bad:
+        faults["invalid"] = float(len(bad))
+        notes["invalid"] = bad[:3]
+        stones = [s if s.is_valid else s.buffer(0) for s in stones]
+    if stones:
+        overlap, notes["pairs"], touching = faults_of_pairs(stones, rings)
+        if overlap > 0:
+            faults["overlap"] = overlap
+        if touching:
+            faults["touching"] = float(touching)
+        prepared = prep(area)
+        outside = sum(max(s.difference(area).area / UM**2, 1e-9) for s in stones if not prepared.covers(s))
+        if outside > 0:
+            faults["outside"] = outside
+        worst, notes["oversized"], notes["longest"], notes["heaviest"] = sizes(area, stones, layout)
+        if worst > 0:
+            faults["large"] = worst
+    longer = max(layout["stone_mm"] + (layout["border_stone_mm"] if layout["border"] != "none" else [])) * UM
+    if not layout.get("missing"):
+        diameter, notes["at_mm"] = bare_spot(area, stones, layout, BARE_SHARE * longer)
+        if diameter > BARE_SHARE * longer:
+            faults["bare"] = diameter / longer
+    return faults, notes
+
+
+class Tally:
+    def __init__(self):
+        self.layouts, self.stones, self.wrong = 0, 0, 0
+        self.table = collections.defaultdict(collections.Counter)
+        self.worst = collections.defaultdict(list)
+        self.refusals, self.largest = collections.Counter(), {}
+
+    def add(self, layout, faults, notes):
+        key = (layout.get("bond", "?"), layout.get("field", "?"))
+        row = self.table[key]
+        self.layouts += 1
+        self.stones += notes["stones"]
+        self.wrong += bool(faults)
+        row["layouts"] += 1
+        if "refused" in layout:
+            row["refused"] += 1
+            self.refusals[re.sub(r"[0-9.]+", "#", layout["refused"])] += 1
+        elif notes["stones"] == 0:
+            row["empty"] += 1
+        for kind, measure in faults.items():
+            row[kind] += 1
+            worst = self.worst[kind]
+            worst.append((measure, str(layout["number"]), layout.get("shape"), layout.get("border"), key, notes.get("at_mm"),
+                          layout.get("toml") or layout.get("failed", "")))
+            worst.sort(key=lambda w: (-w[0], w[1]))
+            del worst[20:]
+        for what in ("longest", "heaviest"):
+            if notes[what] > 0:
+                self.largest[key, what] = max(self.largest.get((key, what), (0.0, "")), (notes[what], str(layout["number"])))
+
+    def merge(self, other):
+        self.layouts += other.layouts
+        self.stones += other.stones
+        self.wrong += other.wrong
+        for key, row in other.table.items():
+            self.table[key].update(row)
+        for kind, worst in other.worst.items():
+            self.worst[kind] = sorted(self.worst[kind] + worst, key=lambda w: (-w[0], w[1]))[:20]
+        self.refusals.update(other.refusals)
+        for key, value in other.largest.items():
+            self.largest[key] = max(self.largest.get(key, (0.0, "")), value)
+
+    def report(self, scenes):
+        columns = ("layouts", "refused", "empty") + KINDS
+        print(f"{'bond':15}{'field':10}" + "".join(f"{c:>10}" for c in columns))
+        total = collections.Counter()
+        for key in sorted(self.table):
+            row = self.table[key]
+            total.update(row)
+            print(f"{key[0]:15}{key[1]:10}" + "".join(f"{row[c]:>10}" for c in columns))
+        print(f"{'all':25}" + "".join(f"{total[c]:>10}" for c in columns))
+        for text, count in self.refusals.most_common(10):
+            print(f"refused {count} times: {text}")
+        for key in sorted({k for k, _ in self.largest}):
+            longest, heaviest = self.largest.get((key, "longest"), (0, "")), self.largest.get((key, "heaviest"), (0, ""))
+            print(f"largest stone of {key[0]}, {key[1]}: {longest[0]:.3f} times as long or wide as its stock (number {longest[1]}), "
+                  f"{heaviest[0]:.3f} times its area (number {heaviest[1]})")
+        for kind in KINDS:
+            for measure, number, shape, border, key, at, toml in self.worst[kind][:scenes]:
+                place = f" at ({at[0]:.1f}, {at[1]:.1f})" if at and kind == "bare" else ""
+                print(f"\n# {kind} {measure:.6g}{place}: number {number}, {key[0]}, {key[1]}, {shape}, border {border}\n{toml.strip()}")
+        print(f"\n{self.layouts} layouts of {self.stones} stones: " +
+              ", ".join(f"{total[k]} {k}" for k in KINDS) + f"; {self.wrong} layouts wrong")
+
+
+def lines_of(program, first, count, files):
+    """The lines of a range; where the program dies, those before, and a line that says so in place of the one that it died of."""
+    while count > 0:
+        run = subprocess.run([program, "--first", str(first), "--count", str(count), *files], capture_output=True, text=True)
+        lines = [line for line in run.stdout.splitlines(True) if line.endswith("\n")]
+        yield from lines
+        first, count = first + len(lines), count - len(lines)
+        if run.returncode != 0 and count > 0:
+            yield json.dumps({"number": first, "failed": f"status {run.returncode}: {run.stderr.strip()[-300:]}"})
+            first, count = first + 1, count - 1
+
+
+def tally_of(lines):
+    tally = Tally()
+    for line in lines:
+        layout = json.loads(line)
+        tally.add(layout, *judged(layout))
+    return tally
+
+
+def tally_of_range(task):
+    return tally_of(lines_of(*task))
+
+
+def spoilt(layout):
+    """Twins of a sound layout with one fault each, as (the fault that must be found, layout)."""
+    stones = layout["stones"]
+    shapes = [Polygon(s["outline_um"]) for s in stones]
+    a, b = layout["stone_mm"]
+    # The most central whole stone, and its nearest neighbour.
+    middle = Polygon(layout["outline_um"]).centroid
+    order = sorted(range(len(stones)), key=lambda k: shapes[k].centroid.distance(middle))
+    k = next((k for k in order if stones[k]["kind"] == "whole" and shapes[k].area > 0.8 * a * b * UM**2), None)
+    if k is None or len(stones) < 9:
+        return
+    n = min((m for m in range(len(stones)) if m != k), key=lambda m: shapes[k].distance(shapes[m]))
+
+    def twin(index, outline):
+        changed = dict(layout, stones=list(stones))
+        changed["stones"][index] = dict(stones[index], outline_um=outline)
+        return changed
+    yield "bare", dict(layout, stones=stones[:k] + stones[k + 1:])
+    from shapely.ops import nearest_points
+    p, q = nearest_points(shapes[k], shapes[n])
+    gap = p.distance(q)
+    over = gap + 10.0 + 2.0  # a hundredth of a millimetre, and rounding
+    step = ((q.x - p.x) / gap * over, (q.y - p.y) / gap * over)
+    yield "overlap", twin(k, [[round(x + step[0]), round(y + step[1])] for x, y in stones[k]["outline_um"]])
+    yield "overlap", dict(layout, stones=stones + [stones[k]])
+    yield "invalid", twin(k, stones[k]["outline_um"][::-1])
+    far = Polygon(layout["outline_um"]).bounds[2] - shapes[k].bounds[0] - 50.0
+    yield "outside", twin(k, [[round(x + far), y] for x, y in stones[k]["outline_um"]])
+    if field_stock(layout)[1]:
+        hull = shapes[k].union(shapes[n]).convex_hull.exterior.coords[:-1]
+        hull = [[round(x), round(y)] for x, y in hull]
+        if twice_area(hull) < 0:
+            hull.reverse()
+        kept = [s for m, s in enumerate(stones) if m not in (k, n)]
+        yield "large", dict(layout, stones=kept + [dict(stones[k], outline_um=hull)])
+
+
+def self_test(lines):
+    """Spoils layouts without a fault by it; returns what was not found out."""
+    tried, missed = collections.Counter(), []
+    for line in lines:
+        layout = json.loads(line)
+        if "stones" not in layout:
+            continue
+        before = judged(layout)[0]
+        for kind, twin in spoilt(layout):
+            if kind in before:
+                continue
+            tried[kind] += 1
+            if kind not in judged(twin)[0]:
+                missed.append(f"number {layout['number']}: {kind} was not found out\n{layout['toml']}")
+    print("spoilt and found out: " + ", ".join(f"{kind} {count}" for kind, count in sorted(tried.items())))
+    return missed + [f"no layout was spoilt by {kind}" for kind in KINDS if kind not in ("failed", "touching") and tried[kind] < 3]
+
+
+def main():
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("--run")
+    arguments.add_argument("--first", type=int, default=1)
+    arguments.add_argument("--count", type=int, default=0)
+    arguments.add_argument("--processes", type=int, default=2)
+    arguments.add_argument("--worst", type=int, default=20)
+    arguments.add_argument("--self-test", action="store_true")
+    arguments.add_argument("files", nargs="*")
+    options = arguments.parse_args()
+    if options.self_test:
+        missed = self_test(sys.stdin)
+        print("\n".join(missed))
+        return 1 if missed else 0
+    begin = time.time()
+    if options.run:
+        step = 25
+        tasks = [(options.run, first, min(step, options.first + options.count - first), options.files)
+                 for first in range(options.first, options.first + options.count, step)]
+        tally = Tally()
+        with multiprocessing.Pool(options.processes) as pool:
+            for done in pool.imap(tally_of_range, tasks):
+                tally.merge(done)
+    else:
+        tally = tally_of(sys.stdin)
+    tally.report(options.worst)
+    print(f"{time.time() - begin:.0f} s")
+    return 1 if tally.wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

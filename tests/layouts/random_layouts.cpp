@@ -1,0 +1,206 @@
+// Lays random pavements and writes each as a line of JSON, for judge_layouts.py.
+//
+//    random_layouts --first N --count M [FILE.geojson …]     numbers N … N + M − 1, with the areas of these files among theirs
+//    random_layouts --scene FILE.toml …                      the pavements of these scenes
+//
+// A line is a pure function of its number, of the files and of the program. It holds the scene file that makes it.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "geometry/lattice.h"
+#include "layouts/random_pavement.h"
+#include "paving/border.h"
+#include "paving/kerb.h"
+#include "paving/laying.h"
+#include "scene/plan_areas.h"
+#include "scene/read_scene.h"
+
+namespace {
+
+using namespace shatterpave;
+
+constexpr std::uint64_t most_attempts = 30;
+
+std::string json_text(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    if (c == '\n') {
+      result += "\\n";
+    } else {
+      result += c;
+    }
+  }
+  return result + "\"";
+}
+
+// In micrometres.
+void put_ring(std::string& out, const geometry::Polygon& ring) {
+  out += '[';
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const auto p = geometry::to_lattice(ring[i]);
+    fmt::format_to(std::back_inserter(out), "{}[{},{}]", i > 0 ? "," : "", p.x, p.y);
+  }
+  out += ']';
+}
+
+std::string_view name_of(paving::Bond bond) {
+  using paving::Bond;
+  switch (bond) {
+    case Bond::packed:
+      return "packed";
+    case Bond::running:
+      return "running";
+    case Bond::stack:
+      return "stack";
+    case Bond::herringbone:
+      return "herringbone";
+    case Bond::basket_weave:
+      return "basket_weave";
+    case Bond::hexagon:
+      return "hexagon";
+    case Bond::segmental_arc:
+      return "segmental_arc";
+    case Bond::fan:
+      return "fan";
+    case Bond::ashlar:
+      return "ashlar";
+    case Bond::crazy:
+      return "crazy";
+    case Bond::course:
+      break;
+  }
+  return "course";
+}
+
+std::string_view name_of(const paving::Direction& direction) {
+  constexpr std::string_view names[] = {"constant", "boundary", "radial", "guides"};
+  return names[direction.index()];
+}
+
+std::string_view name_of(paving::BorderCourse course) {
+  if (course == paving::BorderCourse::none) return "none";
+  return course == paving::BorderCourse::soldier ? "soldier" : "stretcher";
+}
+
+void put_pavement(std::string& out, const paving::Pavement& pavement) {
+  const auto to = std::back_inserter(out);
+  fmt::format_to(to, ",\"bond\":\"{}\",\"field\":\"{}\",\"stone_mm\":[{},{}],\"joint_mm\":{}", name_of(pavement.bonding.bond),
+                 name_of(pavement.direction), pavement.stone_mm.x, pavement.stone_mm.y, pavement.joint_mm);
+  const vec2 border = paving::border_stone_mm(pavement);
+  fmt::format_to(to, ",\"border\":\"{}\",\"border_stone_mm\":[{},{}],\"missing\":{},\"outline_um\":",
+                 name_of(pavement.border.course), border.x, border.y, pavement.variation.missing);
+  put_ring(out, pavement.area.outline);
+  out += ",\"holes_um\":[";
+  for (std::size_t h = 0; h < pavement.area.holes.size(); ++h) {
+    if (h > 0) out += ',';
+    put_ring(out, pavement.area.holes[h]);
+  }
+  out += ']';
+}
+
+void put_layout(std::string& out, const paving::StoneLayout& layout) {
+  out += ",\"stones\":[";
+  for (std::size_t s = 0; s < layout.stones.size(); ++s) {
+    const paving::Stone& stone = layout.stones[s];
+    fmt::format_to(std::back_inserter(out), "{}{{\"kind\":\"{}\",\"angle_deg\":{:.6f},\"outline_um\":", s > 0 ? "," : "",
+                   stone.kind == paving::StoneKind::whole ? "whole" : "cut", stone.angle.degrees());
+    put_ring(out, stone.outline_mm);
+    out += '}';
+  }
+  out += ']';
+}
+
+// The line of one pavement of a scene; `head` is the start of its JSON.
+void print_line(std::string head, const paving::Pavement& pavement, std::uint64_t seed) {
+  put_pavement(head, pavement);
+  try {
+    put_layout(head, paving::laid_stones(pavement, seed));
+  } catch (const InputError& error) {
+    head += ",\"refused\":" + json_text(error.what());
+  } catch (const std::exception& error) {
+    head += ",\"failed\":" + json_text(error.what());
+  }
+  fmt::print("{}}}\n", head);
+}
+
+void print_scene(const std::string& file) {
+  const scene::Scene scene = scene::scene_of_file(file);
+  for (const paving::Pavement& pavement : scene.pavements) {
+    const std::string head =
+        fmt::format("{{\"number\":{},\"shape\":\"own\",\"toml\":\"\"", json_text(file + ": " + pavement.name));
+    print_line(head, pavement, scene.seed);
+    if (pavement.kerb.width_mm > 0.0) print_line(head, paving::kerb(pavement), scene.seed);
+  }
+}
+
+void print_number(std::uint64_t number, const std::vector<geometry::Region>& places) {
+  std::string why;
+  for (std::uint64_t attempt = 0; attempt < most_attempts; ++attempt) {
+    const layouts::DrawnScene drawn = layouts::random_scene(number, attempt, places);
+    scene::Scene scene;
+    try {
+      scene = scene::scene_of_text(drawn.toml, "layout.toml");
+    } catch (const InputError& error) {  // an outline that crosses itself, or a hole that leaves it
+      why = error.what();
+      continue;
+    }
+    print_line(fmt::format("{{\"number\":{},\"attempt\":{},\"shape\":\"{}\",\"toml\":{}", number, attempt, drawn.shape,
+                           json_text(drawn.toml)),
+               scene.pavements.front(), scene.seed);
+    return;
+  }
+  throw std::runtime_error(fmt::format("number {}: no scene in {} attempts: {}", number, most_attempts, why));
+}
+
+std::uint64_t number_of(std::string_view text) {
+  std::uint64_t number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc{} || read.ptr != text.data() + text.size()) {
+    throw std::runtime_error(fmt::format("expected a number, got '{}'", text));
+  }
+  return number;
+}
+
+void print_all(std::span<char*> arguments) {
+  std::uint64_t first = 1;
+  std::uint64_t count = 0;
+  bool scenes = false;
+  std::vector<geometry::Region> places;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string_view argument = arguments[i];
+    if ((argument == "--first" || argument == "--count") && i + 1 < arguments.size()) {
+      (argument == "--first" ? first : count) = number_of(arguments[++i]);
+    } else if (argument == "--scene") {
+      scenes = true;
+    } else if (scenes) {
+      print_scene(arguments[i]);
+    } else {
+      for (geometry::Region& area : scene::areas_of_file(argument)) places.push_back(std::move(area));
+    }
+  }
+  for (std::uint64_t number = first; number < first + count; ++number) print_number(number, places);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    print_all(std::span(argv, static_cast<std::size_t>(argc)).subspan(1));
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "random_layouts: {}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,141 @@
+#include "layouts/random_pavement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "core/functions.h"
+#include "layouts/draws.h"
+#include "layouts/random_areas.h"
+
+namespace shatterpave::layouts {
+
+namespace {
+
+using geometry::Box;
+using geometry::Polygon;
+using geometry::Region;
+
+constexpr std::array<std::string_view, 10> bonds = {"packed",  "running",       "stack", "herringbone", "basket_weave",
+                                                    "hexagon", "segmental_arc", "fan",   "ashlar",      "crazy"};
+
+double rounded(double value, double step) { return std::round(value / step) * step; }
+
+std::string points_text(const std::vector<vec2>& points) {
+  std::string text = "[";
+  for (const vec2& p : points) text += fmt::format("{}[{:.3f}, {:.3f}]", text.size() > 1 ? ", " : "", p.x, p.y);
+  return text + "]";
+}
+
+std::string lists_text(const std::vector<std::vector<vec2>>& lists) {
+  std::string text = "[";
+  for (const auto& list : lists) text += (text.size() > 1 ? ", " : "") + points_text(list);
+  return text + "]";
+}
+
+struct Sizes {
+  vec2 stone_mm{100.0, 100.0};
+  double joint_mm = 8.0;
+};
+
+Sizes random_sizes(const Draws& draws, std::string_view bond) {
+  Sizes sizes;
+  const bool setts = bond == "segmental_arc" || bond == "fan";  // which ask for stones at most twice as long as wide
+  const double aspect = draws.chance("square", 0.35) ? 1.0 : draws.spread("aspect", setts ? 0.52 : 0.4, setts ? 1.95 : 3.0);
+  const double longer = draws.spread("longer", 40.0, 400.0);
+  sizes.stone_mm = aspect >= 1.0 ? vec2{longer, longer / aspect} : vec2{longer * aspect, longer};
+  for (double* side : {&sizes.stone_mm.x, &sizes.stone_mm.y}) *side = std::max(16.0, rounded(*side, 0.1));
+  if (bond == "herringbone" || bond == "basket_weave") {
+    sizes.stone_mm = {std::max(sizes.stone_mm.x, sizes.stone_mm.y), std::min(sizes.stone_mm.x, sizes.stone_mm.y)};
+  }
+  sizes.joint_mm = draws.chance("tight", 0.15) ? 0.0 : rounded(draws.between("joint", 0.0, 20.0), 0.1);
+  return sizes;
+}
+
+vec2 within(const Box& box, double x, double y) { return box.low + vec2{x, y} * (box.high - box.low); }
+
+// Polylines of two to five points, which bend as they like and cross.
+std::string guides_text(const Draws& draws, const Box& box) {
+  std::vector<std::vector<vec2>> guides;
+  for (std::size_t g = draws.count("guides", 1, 3); g > 0; --g) {
+    const Draws its = draws.of("guide", g);
+    std::vector<vec2> guide;
+    const std::size_t points = its.count("points", 2, 5);
+    for (std::size_t p = 0; p < points; ++p) {
+      guide.push_back(within(box, its.between("x", -0.25, 1.25, p), its.between("y", -0.25, 1.25, p)));
+    }
+    guides.push_back(std::move(guide));
+  }
+  return lists_text(guides);
+}
+
+std::string direction_text(const Draws& draws, const Region& area) {
+  const Box box = geometry::bounding_box(area.outline);
+  switch (draws.count("field", 0, 3)) {
+    case 0: {
+      const double angle = draws.chance("quarter", 0.4) ? 45.0 * static_cast<double>(draws.count("eighth", 0, 3))
+                                                        : draws.between("angle", 0, 180);
+      return fmt::format("kind = \"constant\", angle_deg = {:.4f}", angle);
+    }
+    case 1:
+      return "kind = \"boundary\"";
+    case 2: {
+      const double reach = draws.chance("inside", 0.5) ? 0.5 : 2.0;
+      const vec2 centre = within(box, 0.5 + reach * draws.between("x", -1.0, 1.0), 0.5 + reach * draws.between("y", -1.0, 1.0));
+      return fmt::format("kind = \"radial\", centre_mm = [{:.3f}, {:.3f}]", centre.x, centre.y);
+    }
+    default:
+      return fmt::format("kind = \"guides\", guides_mm = {}", guides_text(draws, box));
+  }
+}
+
+std::string bond_text(const Draws& draws, std::string_view bond, const Sizes& sizes) {
+  std::string text = fmt::format("bond = \"{}\"\n", bond);
+  if (bond == "running" && draws.chance("offset", 0.6)) text += fmt::format("bond_offset = {:.3f}\n", draws.unit("by"));
+  if (draws.chance("turned", 0.3)) {
+    const double angle = draws.chance("eighth turn", 0.5) ? 45.0 : draws.between("turn", 0.0, 180.0);
+    text += fmt::format("bond_turn_deg = {:.4f}\n", angle);
+  }
+  if ((bond == "segmental_arc" || bond == "fan") && draws.chance("span", 0.5)) {
+    const double pitch = std::max(sizes.stone_mm.x, sizes.stone_mm.y) + sizes.joint_mm;
+    text += fmt::format("bond_span_mm = {:.3f}\n", pitch * draws.between("stones", 5.01, 20.0));
+  }
+  return text;
+}
+
+std::string border_text(const Draws& draws) {
+  if (draws.chance("no border", 0.55)) return {};
+  std::string text = fmt::format("border_course = \"{}\"\n", draws.chance("soldier", 0.5) ? "soldier" : "stretcher");
+  if (draws.chance("own stones", 0.4)) {
+    const double along = draws.spread("along", 40.0, 400.0);
+    const double across = std::clamp(along * draws.spread("aspect", 0.4, 3.0), 40.0, 400.0);
+    text += fmt::format("border_stone_mm = [{:.1f}, {:.1f}]\n", along, across);
+  }
+  return text;
+}
+
+}  // namespace
+
+DrawnScene random_scene(std::uint64_t number, std::uint64_t attempt, const std::vector<Region>& places) {
+  const Draws draws = Draws(number).of("attempt", attempt);
+  const std::string_view bond = bonds.at(draws.count("bond", 0, bonds.size() - 1));
+  const Sizes sizes = random_sizes(draws.of("sizes"), bond);
+  const vec2 pitch = sizes.stone_mm + vec2{sizes.joint_mm, sizes.joint_mm};
+  const double stones = draws.chance("few", 0.15) ? draws.spread("stones", 0.2, 5.0) : draws.spread("stones", 5.0, 500.0);
+  const DrawnArea area = random_area(draws.of("area"), places);
+  const Region region = placed(area.region, stones * pitch.x * pitch.y, draws.of("place"));
+
+  std::string toml = fmt::format("seed = {}\n[[pavement]]\nname = \"court\"\n", draws.count("seed", 1, 1000));
+  toml += fmt::format("outline_mm = {}\n", points_text(region.outline));
+  if (!region.holes.empty()) toml += fmt::format("holes_mm = {}\n", lists_text(region.holes));
+  toml += fmt::format("stone_mm = [{:.1f}, {:.1f}]\njoint_mm = {:.1f}\n", sizes.stone_mm.x, sizes.stone_mm.y, sizes.joint_mm);
+  toml += bond_text(draws.of("bond"), bond, sizes);
+  toml += border_text(draws.of("border"));
+  toml += fmt::format("direction = {{{}}}\n", direction_text(draws.of("direction"), region));
+  return {area.shape, std::move(toml)};
+}
+
+}  // namespace shatterpave::layouts

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Random layouts before the judge: none may be wrong, and each that is spoilt must be found out. The first of those that .ci/long/layouts
+# lays, without the real places beside the repository: about two minutes of two processors.
+#   layouts_test.sh BUILD   the build folder
+set -euo pipefail
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+program=$1/tests/layouts/random_layouts
+judge=$here/../layouts/judge_layouts.py
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# A line is a function of its number alone.
+"$program" --first 30 --count 100 >"$scratch/lines"
+"$program" --first 129 --count 1 | cmp - <(tail -n 1 "$scratch/lines")
+/usr/bin/python3 "$judge" --self-test <"$scratch/lines"
+/usr/bin/python3 "$judge" --run "$program" --first 1 --count 2000 --worst 3

@@ -1,0 +1,108 @@
+#include "measure/open_ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/clip.h"
+#include "geometry/lattice.h"
+#include "paving/packing.h"
+
+namespace shatterpave::measure {
+
+namespace {
+
+using geometry::Box;
+using geometry::Polygon;
+using geometry::Region;
+
+// Pitches to a side of a tile: Clipper takes more than linear time, many tiles cost more at their borders; by trial.
+constexpr double tile_pitches = 8.0;
+// Stones are grown by so much more, so that neighbours overlap for certain. Rounding to the lattice else leaves slits a few µm
+// wide along half of the joints, which take Clipper long, and now and then lead it to lose a whole stone.
+constexpr double hairline_mm = 0.01;
+
+Polygon rectangle(const Box& box) { return {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}; }
+
+Box grown_box(const Box& box, double by_mm) { return {box.low - vec2{by_mm, by_mm}, box.high + vec2{by_mm, by_mm}}; }
+
+// A convex stone with its sides moved out; empty if it is not convex, or too sharp a corner would run far out.
+Polygon grown_convex(const Polygon& stone, double distance_mm, double miter_limit) {
+  const std::size_t n = stone.size();
+  std::vector<vec2> out(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const vec2 d = stone[(i + 1) % n] - stone[i];
+    out[i] = -left_of(d) / glm::length(d);
+  }
+  Polygon grown(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const vec2 before = out[(i + n - 1) % n];
+    // The tip is at distance √(2 / (1 + cos)) from the corner, cos of the turn.
+    const double cosine = glm::dot(before, out[i]);
+    if (cross(before, out[i]) <= 0.0 || 2.0 > miter_limit * miter_limit * (1.0 + cosine)) return {};
+    grown[i] = stone[i] + distance_mm / (1.0 + cosine) * (before + out[i]);
+  }
+  return grown;
+}
+
+void append_grown(const Polygon& stone, double distance_mm, double miter_limit, std::vector<Polygon>& all) {
+  if (Polygon grown = grown_convex(stone, distance_mm, miter_limit); !grown.empty()) {
+    all.push_back(std::move(grown));
+    return;
+  }
+  for (Region& region : geometry::offset({stone, {}}, distance_mm, miter_limit)) all.push_back(std::move(region.outline));
+}
+
+}  // namespace
+
+OpenGround::OpenGround(const paving::Pavement& pavement, const paving::StoneLayout& layout, const StoneIndex& index,
+                       const geometry::RegionIndex& area, const Rules& rules)
+    : pavement_(pavement), layout_(layout), index_(index), area_(area), rules_(rules), ground_{pavement.area} {
+  if (rules.free_border && pavement.joint_mm > 0.0) ground_ = geometry::offset(pavement.area, -0.5 * pavement.joint_mm);
+  const vec2 pitch = paving::pitch_mm(pavement);
+  const vec2 size = area.box().high - area.box().low;
+  // A pavement that is all outline has no more tiles than one that is full.
+  const double most = static_cast<double>(layout.stones.size()) + 64.0;
+  side_mm_ = std::max(tile_pitches * std::max(pitch.x, pitch.y), std::sqrt(size.x * size.y / most));
+  side_mm_ = std::max(side_mm_, std::max(size.x, size.y) / most);
+  columns_ = static_cast<std::size_t>(size.x / side_mm_) + 1;
+  rows_ = static_cast<std::size_t>(size.y / side_mm_) + 1;
+}
+
+Box OpenGround::tile(std::size_t number) const {
+  const auto corner = [&](std::size_t column, std::size_t row) {
+    return geometry::on_lattice(area_.box().low + side_mm_ * vec2{static_cast<double>(column), static_cast<double>(row)});
+  };
+  const std::size_t column = number % columns_;
+  const std::size_t row = number / columns_;
+  return {corner(column, row), corner(column + 1, row + 1)};
+}
+
+std::vector<Region> OpenGround::ground(const Box& box) const {
+  const double border_mm = rules_.free_border ? rules_.miter_limit * pavement_.joint_mm : 0.0;
+  if (!area_.border_meets(grown_box(box, border_mm))) {
+    if (!area_.contains(box.low)) return {};
+    return {{rectangle(box), {}}};
+  }
+  std::vector<Region> parts;
+  for (const Region& region : ground_) {
+    for (Region& part : geometry::intersection(rectangle(box), region)) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+std::vector<Region> OpenGround::open(const Box& box) const {
+  const std::vector<Region> parts = ground(box);
+  if (parts.empty()) return parts;
+  const double half_joint = 0.5 * pavement_.joint_mm + hairline_mm;
+  std::vector<std::size_t> near;
+  index_.near(grown_box(box, rules_.miter_limit * half_joint), near);
+  std::vector<Polygon> grown;
+  for (const std::size_t s : near) append_grown(layout_.stones[s].outline_mm, half_joint, rules_.miter_limit, grown);
+  std::vector<Region> left;
+  for (const Region& part : parts) {
+    for (Region& open : geometry::difference(part, grown)) left.push_back(std::move(open));
+  }
+  return left;
+}
+
+}  // namespace shatterpave::measure

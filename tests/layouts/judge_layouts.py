@@ -2,7 +2,7 @@
 """Judges layouts with shapely (GEOS), which the product has nothing in common with.
 
    judge_layouts.py < LINES                                  lines as random_layouts writes them
-   judge_layouts.py --run PROGRAM --first N --count M [--processes P] [FILE.geojson ...]     runs random_layouts itself
+   judge_layouts.py --run PROGRAM --first N --count M [--processes P] [--rare] [FILE.geojson ...]     runs random_layouts itself
    judge_layouts.py --self-test < LINES                      sound layouts are spoilt: each must be found out
 
 Prints how many layouts there were of each bond and field and what is wrong with them, the worst of each fault with the scenes that make
@@ -93,10 +93,13 @@ def excess(points, rectangles):
 
 def near_pairs(boxes):
     """Pairs of boxes with a point in common."""
-    low, high = boxes[:, :2], boxes[:, 2:]
-    meet = (low[:, None, 0] <= high[None, :, 0]) & (low[None, :, 0] <= high[:, None, 0])
-    meet &= (low[:, None, 1] <= high[None, :, 1]) & (low[None, :, 1] <= high[:, None, 1])
-    return numpy.argwhere(numpy.triu(meet, 1))
+    order = numpy.argsort(boxes[:, 0], kind="stable")
+    left, low, right, high = boxes[order].T
+    ends = numpy.searchsorted(left, right, side="right")  # of each, those after it that begin before it ends
+    for i in range(len(order)):
+        others = slice(i + 1, ends[i])
+        for k in numpy.flatnonzero((low[others] <= high[i]) & (high[others] >= low[i])):
+            yield order[i], order[i + 1 + k]
 
 
 def edges_cross(a, b):
@@ -387,6 +390,7 @@ def main():
     arguments.add_argument("--count", type=int, default=0)
     arguments.add_argument("--processes", type=int, default=2)
     arguments.add_argument("--worst", type=int, default=20)
+    arguments.add_argument("--rare", action="store_true")
     arguments.add_argument("--self-test", action="store_true")
     arguments.add_argument("files", nargs="*")
     options = arguments.parse_args()
@@ -397,7 +401,8 @@ def main():
     begin = time.time()
     if options.run:
         step = 25
-        tasks = [(options.run, first, min(step, options.first + options.count - first), options.files)
+        more = ["--rare"] * options.rare + options.files
+        tasks = [(options.run, first, min(step, options.first + options.count - first), more)
                  for first in range(options.first, options.first + options.count, step)]
         tally = Tally()
         with multiprocessing.Pool(options.processes) as pool:

@@ -1,6 +1,8 @@
 // Lays random pavements and writes each as a line of JSON, for judge_layouts.py.
 //
-//    random_layouts --first N --count M [FILE.geojson …]     numbers N … N + M − 1, with the areas of these files among theirs
+//    random_layouts --first N --count M [--rare] [FILE.geojson …]    numbers N … N + M − 1, with the areas of these files among
+//                                            theirs; --rare: stones larger than their area, joints wider than stones, and the
+//                                            like
 //    random_layouts --scene FILE.toml …                      the pavements of these scenes
 //
 // A line is a pure function of its number, of the files and of the program. It holds the scene file that makes it.
@@ -145,10 +147,10 @@ void print_scene(const std::string& file) {
   }
 }
 
-void print_number(std::uint64_t number, const std::vector<geometry::Region>& places) {
+void print_number(std::uint64_t number, layouts::Kind kind, const std::vector<geometry::Region>& places) {
   std::string why;
   for (std::uint64_t attempt = 0; attempt < most_attempts; ++attempt) {
-    const layouts::DrawnScene drawn = layouts::random_scene(number, attempt, places);
+    const layouts::DrawnScene drawn = layouts::random_scene(number, attempt, kind, places);
     scene::Scene scene;
     try {
       scene = scene::scene_of_text(drawn.toml, "layout.toml");
@@ -177,11 +179,14 @@ void print_all(std::span<char*> arguments) {
   std::uint64_t first = 1;
   std::uint64_t count = 0;
   bool scenes = false;
+  layouts::Kind kind = layouts::Kind::usual;
   std::vector<geometry::Region> places;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string_view argument = arguments[i];
     if ((argument == "--first" || argument == "--count") && i + 1 < arguments.size()) {
       (argument == "--first" ? first : count) = number_of(arguments[++i]);
+    } else if (argument == "--rare") {
+      kind = layouts::Kind::rare;
     } else if (argument == "--scene") {
       scenes = true;
     } else if (scenes) {
@@ -190,7 +195,7 @@ void print_all(std::span<char*> arguments) {
       for (geometry::Region& area : scene::areas_of_file(argument)) places.push_back(std::move(area));
     }
   }
-  for (std::uint64_t number = first; number < first + count; ++number) print_number(number, places);
+  for (std::uint64_t number = first; number < first + count; ++number) print_number(number, kind, places);
 }
 
 }  // namespace

@@ -117,16 +117,81 @@ std::string border_text(const Draws& draws) {
   return text;
 }
 
+// What is rare about a scene: one or two of these.
+struct Rarities {
+  bool few = false;        // stones are larger than the area
+  bool wide = false;       // joints are about as wide as stones, or wider
+  bool flat = false;       // corners that are hardly any
+  bool far = false;        // from the origin, up to 1 km
+  bool extreme = false;    // stones of a few millimetres or several metres, or eight times as long as wide
+  bool clustered = false;  // points a few micrometres apart
+};
+
+Rarities rarities(const Draws& draws) {
+  Rarities r;
+  bool* all[] = {&r.few, &r.wide, &r.flat, &r.far, &r.extreme, &r.clustered};
+  *all[draws.count("first", 0, 5)] = true;
+  *all[draws.count("second", 0, 5)] = true;
+  return r;
+}
+
+void make_rare(Sizes& sizes, const Rarities& rare, const Draws& draws, std::string_view bond) {
+  if (rare.wide) sizes.joint_mm = rounded(std::min(sizes.stone_mm.x, sizes.stone_mm.y) * draws.spread("wide", 0.3, 3.0), 0.1);
+  if (!rare.extreme) return;
+  const double scale = draws.chance("small", 0.5) ? draws.spread("smaller", 0.01, 0.2) : draws.spread("larger", 4.0, 20.0);
+  sizes.stone_mm = glm::max(vec2{1.0, 1.0}, scale * sizes.stone_mm);
+  sizes.joint_mm *= draws.chance("joint", 0.5) ? scale : std::min(scale, 1.0);
+  const bool oblong = bond != "segmental_arc" && bond != "fan" && draws.chance("oblong", 0.3);
+  if (oblong) sizes.stone_mm.x = std::max(sizes.stone_mm.x, 8.0 * sizes.stone_mm.y);
+}
+
+// More points on the sides, on the line or up to a few micrometres or a millimetre off it; doubled points; moved far off.
+void make_rare(Region& region, const Rarities& rare, const Draws& draws) {
+  if (rare.flat || rare.clustered) {
+    Polygon more;
+    for (std::size_t i = 0; i < region.outline.size(); ++i) {
+      const vec2 a = region.outline[i];
+      const vec2 b = region.outline[(i + 1) % region.outline.size()];
+      more.push_back(a);
+      const vec2 d = b - a;
+      if (rare.clustered && draws.chance("cluster", 0.5, i)) {
+        const double step = draws.spread("step", 0.001, 2.0, i);
+        more.push_back(a + step / std::max(step, glm::length(d)) * d);
+      }
+      if (rare.flat) {
+        const double off = draws.chance("on line", 0.3, i) ? 0.0 : draws.spread("off", 0.001, 1.0, i);
+        const vec2 across = left_of(d) / std::max(1e-9, glm::length(d));
+        more.push_back(a + draws.between("at", 0.1, 0.9, i) * d + (draws.chance("inwards", 0.5, i) ? off : -off) * across);
+      }
+    }
+    region.outline = std::move(more);
+  }
+  if (!rare.far) return;
+  const Box box = geometry::bounding_box(region.outline);
+  const auto side = [&](std::uint64_t axis) { return draws.chance("side", 0.5, axis) ? 1.0 : -1.0; };
+  const vec2 corner{side(0) * 999'999.0, side(1) * 999'999.0};
+  const vec2 from{corner.x > 0.0 ? box.high.x : box.low.x, corner.y > 0.0 ? box.high.y : box.low.y};
+  const auto move = [&](Polygon& ring) {
+    for (vec2& p : ring) p += corner - from;
+  };
+  move(region.outline);
+  for (Polygon& hole : region.holes) move(hole);
+}
+
 }  // namespace
 
-DrawnScene random_scene(std::uint64_t number, std::uint64_t attempt, const std::vector<Region>& places) {
+DrawnScene random_scene(std::uint64_t number, std::uint64_t attempt, Kind kind, const std::vector<Region>& places) {
   const Draws draws = Draws(number).of("attempt", attempt);
+  const Rarities rare = kind == Kind::rare ? rarities(draws.of("rare")) : Rarities{};
   const std::string_view bond = bonds.at(draws.count("bond", 0, bonds.size() - 1));
-  const Sizes sizes = random_sizes(draws.of("sizes"), bond);
+  Sizes sizes = random_sizes(draws.of("sizes"), bond);
+  make_rare(sizes, rare, draws.of("rare sizes"), bond);
   const vec2 pitch = sizes.stone_mm + vec2{sizes.joint_mm, sizes.joint_mm};
-  const double stones = draws.chance("few", 0.15) ? draws.spread("stones", 0.2, 5.0) : draws.spread("stones", 5.0, 500.0);
+  double stones = draws.chance("few", 0.15) ? draws.spread("stones", 0.2, 5.0) : draws.spread("stones", 5.0, 500.0);
+  if (rare.few) stones = draws.spread("fewer", 0.02, 3.0);
   const DrawnArea area = random_area(draws.of("area"), places);
-  const Region region = placed(area.region, stones * pitch.x * pitch.y, draws.of("place"));
+  Region region = placed(area.region, stones * pitch.x * pitch.y, draws.of("place"));
+  make_rare(region, rare, draws.of("rare area"));
 
   std::string toml = fmt::format("seed = {}\n[[pavement]]\nname = \"court\"\n", draws.count("seed", 1, 1000));
   toml += fmt::format("outline_mm = {}\n", points_text(region.outline));

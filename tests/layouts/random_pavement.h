@@ -15,7 +15,13 @@ struct DrawnScene {
   std::string toml;   // a scene file, whole
 };
 
+enum class Kind {
+  usual,
+  rare  // stones larger than their area, joints wider than stones, corners that are hardly any, far from the origin, tiny and
+        // huge
+};
+
 // The scene of `number`; every attempt is another one. `places` are real outlines among which it may choose.
-DrawnScene random_scene(std::uint64_t number, std::uint64_t attempt, const std::vector<geometry::Region>& places);
+DrawnScene random_scene(std::uint64_t number, std::uint64_t attempt, Kind kind, const std::vector<geometry::Region>& places);
 
 }  // namespace shatterpave::layouts

@@ -60,7 +60,7 @@ double widest_allowed_spot_mm(const paving::Pavement& pavement) { return allowed
 
 Circle widest_bare_spot(const paving::Pavement& pavement, const paving::StoneLayout& layout, const StoneIndex& index,
                         const geometry::RegionIndex& area) {
-  const OpenGround ground(pavement, layout, index, area, {miter_limit, true});
+  const OpenGround ground(pavement, layout, index, area, {miter_limit, true, true});
   std::vector<Circle> of_tile(ground.tiles());
   const double band_mm = geometry::on_lattice(vec2{widest_allowed_spot_mm(pavement), 0.0}).x;
   parallel_for(of_tile.size(),

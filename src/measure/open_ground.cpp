@@ -25,31 +25,84 @@ Polygon rectangle(const Box& box) { return {box.low, {box.high.x, box.low.y}, bo
 
 Box grown_box(const Box& box, double by_mm) { return {box.low - vec2{by_mm, by_mm}, box.high + vec2{by_mm, by_mm}}; }
 
-// A convex stone with its sides moved out; empty if it is not convex, or too sharp a corner would run far out.
-Polygon grown_convex(const Polygon& stone, double distance_mm, double miter_limit) {
-  const std::size_t n = stone.size();
-  std::vector<vec2> out(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const vec2 d = stone[(i + 1) % n] - stone[i];
-    out[i] = -left_of(d) / glm::length(d);
+// How a stone is grown.
+struct Growth {
+  double distance_mm = 0.0;
+  OpenGround::Rules rules;
+};
+
+// A corner between sides in the directions d and e, and what lies straight out of them.
+struct Corner {
+  Corner(vec2 last, vec2 at, vec2 next)
+      : place(at),
+        d((at - last) / glm::length(at - last)),
+        e((next - at) / glm::length(next - at)),
+        before(-left_of(d)),
+        after(-left_of(e)),
+        cosine(glm::dot(before, after)) {}
+
+  bool is_convex() const { return cross(before, after) > 0.0; }
+  // The tip is at distance √(2 / (1 + cos)) from the corner, cos of the turn.
+  bool is_sharp(const Growth& growth) const {
+    return 2.0 > growth.rules.miter_limit * growth.rules.miter_limit * (1.0 + cosine);
   }
-  Polygon grown(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const vec2 before = out[(i + n - 1) % n];
-    // The tip is at distance √(2 / (1 + cos)) from the corner, cos of the turn.
-    const double cosine = glm::dot(before, out[i]);
-    if (cross(before, out[i]) <= 0.0 || 2.0 > miter_limit * miter_limit * (1.0 + cosine)) return {};
-    grown[i] = stone[i] + distance_mm / (1.0 + cosine) * (before + out[i]);
+
+  // The tip of the grown corner, or the two corners where it is cut.
+  void append_tip(const Growth& growth, Polygon& outline) const {
+    if (!is_sharp(growth)) {
+      outline.push_back(place + growth.distance_mm / (1.0 + cosine) * (before + after));
+      return;
+    }
+    // Along the moved sides as far as the limit lies out, in the direction that halves the turn.
+    const double half_cosine = std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine)));
+    const double half_sine = std::sqrt(0.5 * (1.0 - cosine));
+    const double along = growth.distance_mm * (growth.rules.miter_limit - half_cosine) / half_sine;
+    outline.push_back(place + growth.distance_mm * before + along * d);
+    outline.push_back(place + growth.distance_mm * after - along * e);
+  }
+
+  vec2 place;
+  vec2 d;
+  vec2 e;
+  vec2 before;
+  vec2 after;
+  double cosine;  // of the turn
+};
+
+Corner corner_of(const Polygon& stone, std::size_t i) {
+  const std::size_t n = stone.size();
+  return {stone[(i + n - 1) % n], stone[i], stone[(i + 1) % n]};
+}
+
+// A convex stone with its sides moved out; empty if that is not so simple.
+Polygon grown_convex(const Polygon& stone, const Growth& growth) {
+  Polygon grown;
+  grown.reserve(stone.size());
+  for (std::size_t i = 0; i < stone.size(); ++i) {
+    const Corner corner = corner_of(stone, i);
+    if (!corner.is_convex() || (corner.is_sharp(growth) && !growth.rules.long_tips)) return {};
+    corner.append_tip(growth, grown);
   }
   return grown;
 }
 
-void append_grown(const Polygon& stone, double distance_mm, double miter_limit, std::vector<Polygon>& all) {
-  if (Polygon grown = grown_convex(stone, distance_mm, miter_limit); !grown.empty()) {
+void append_grown(const Polygon& stone, const Growth& growth, std::vector<Polygon>& all) {
+  if (Polygon grown = grown_convex(stone, growth); !grown.empty()) {
     all.push_back(std::move(grown));
     return;
   }
-  for (Region& region : geometry::offset({stone, {}}, distance_mm, miter_limit)) all.push_back(std::move(region.outline));
+  for (Region& region : geometry::offset({stone, {}}, growth.distance_mm, growth.rules.miter_limit)) {
+    all.push_back(std::move(region.outline));
+  }
+  if (!growth.rules.long_tips) return;
+  for (std::size_t i = 0; i < stone.size(); ++i) {
+    const Corner corner = corner_of(stone, i);
+    if (!corner.is_convex() || !corner.is_sharp(growth)) continue;
+    Polygon tip{corner.place, corner.place + growth.distance_mm * corner.before};
+    corner.append_tip(growth, tip);
+    tip.push_back(corner.place + growth.distance_mm * corner.after);
+    all.push_back(std::move(tip));
+  }
 }
 
 }  // namespace
@@ -57,7 +110,8 @@ void append_grown(const Polygon& stone, double distance_mm, double miter_limit, 
 OpenGround::OpenGround(const paving::Pavement& pavement, const paving::StoneLayout& layout, const StoneIndex& index,
                        const geometry::RegionIndex& area, const Rules& rules)
     : pavement_(pavement), layout_(layout), index_(index), area_(area), rules_(rules), ground_{pavement.area} {
-  if (rules.free_border && pavement.joint_mm > 0.0) ground_ = geometry::offset(pavement.area, -0.5 * pavement.joint_mm);
+  if (rules.free_border && pavement.joint_mm > 0.0)
+    ground_ = geometry::offset(pavement.area, -0.5 * pavement.joint_mm, rules.miter_limit);
   const vec2 pitch = paving::pitch_mm(pavement);
   const vec2 size = area.box().high - area.box().low;
   // A pavement that is all outline has no more tiles than one that is full.
@@ -93,11 +147,11 @@ std::vector<Region> OpenGround::ground(const Box& box) const {
 std::vector<Region> OpenGround::open(const Box& box) const {
   const std::vector<Region> parts = ground(box);
   if (parts.empty()) return parts;
-  const double half_joint = 0.5 * pavement_.joint_mm + hairline_mm;
+  const Growth growth{0.5 * pavement_.joint_mm + hairline_mm, rules_};
   std::vector<std::size_t> near;
-  index_.near(grown_box(box, rules_.miter_limit * half_joint), near);
+  index_.near(grown_box(box, rules_.miter_limit * growth.distance_mm), near);
   std::vector<Polygon> grown;
-  for (const std::size_t s : near) append_grown(layout_.stones[s].outline_mm, half_joint, rules_.miter_limit, grown);
+  for (const std::size_t s : near) append_grown(layout_.stones[s].outline_mm, growth, grown);
   std::vector<Region> left;
   for (const Region& part : parts) {
     for (Region& open : geometry::difference(part, grown)) left.push_back(std::move(open));

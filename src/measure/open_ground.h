@@ -15,7 +15,8 @@ namespace shatterpave::measure {
 class OpenGround {
  public:
   struct Rules {
-    double miter_limit = 2.0;  // a grown stone's corner is sharp where its tip lies within as many half joints, else cut square
+    double miter_limit = 2.0;  // a grown stone's corner is sharp where its tip lies within as many half joints,
+    bool long_tips = false;    // else cut square there, or a half joint from the stone
     bool free_border = false;  // the half joint along the border does not count as open
   };
 

@@ -18,6 +18,7 @@ Faults, each exact in micrometres or with the tolerance that stands below:
               tenth of the stone's longer side; its measure is the diameter over the longer side
    large      a stone fits no stone of its stock at any rotation: of bonds with straight sides, and of borders; its measure is the side of
               the square that it would fit were the stock one, over the stock's
+   measured   where lines hold what the scorer measured: its widest bare spot is another one; mm
 """
 import argparse, collections, json, math, multiprocessing, re, subprocess, sys, time
 import numpy
@@ -31,7 +32,8 @@ GROWTH = 1.02                # joints on bent fields are a little wider than ask
 GROWTH_MM = 0.01             # and stones draw back by a hairline where there is no joint
 MITRE = 5.0
 FIT_MM = 0.05                # how much larger than its stock a stone may be
-KINDS = ("failed", "invalid", "overlap", "touching", "outside", "bare", "large")
+MEASURED_MM = 0.1            # how far the scorer's bare spot may be off
+KINDS = ("failed", "invalid", "overlap", "touching", "outside", "bare", "large", "measured")
 STRAIGHT = ("herringbone", "basket_weave", "hexagon", "ashlar")
 
 
@@ -119,8 +121,8 @@ def twice_area(ring):
     return sum((p[0] - x0) * (q[1] - y0) - (q[0] - x0) * (p[1] - y0) for p, q in zip(ring, ring[1:] + ring[:1]))
 
 
-def widest_disc(shape):
-    """Its diameter, to a micrometre of a millimetre or so, and its middle."""
+def widest_disc(shape, corners=4):
+    """Its diameter and its middle; `corners` to a quarter of a circle."""
     parts = [p for p in getattr(shape, "geoms", [shape]) if p.area > 0]
     best, middle = 0.0, None
     for part in sorted(parts, key=lambda p: -p.area):
@@ -130,7 +132,7 @@ def widest_disc(shape):
         low = best
         for _ in range(16):
             half = (low + high) / 2
-            left = part.buffer(-half / 2, 4)
+            left = part.buffer(-half / 2, corners)
             if left.is_empty:
                 high = half
             else:
@@ -139,15 +141,19 @@ def widest_disc(shape):
     return best, middle
 
 
-def bare_spot(area, stones, layout, least):
-    """Diameter of the widest bare disc, um, if it is over `least`, else 0; and its place, mm."""
+def bare(area, stones, layout, growth):
     joint = layout["joint_mm"] * UM
     inner = area.buffer(-joint / 2, join_style=2, mitre_limit=MITRE) if joint > 0 else area
-    grown = unary_union([s.buffer(joint / 2 * GROWTH + GROWTH_MM * UM, join_style=2, mitre_limit=MITRE) for s in stones])
-    bare = inner.difference(grown)
-    if bare.is_empty or bare.buffer(-least / 2, 4).is_empty:
+    grown = unary_union([s.buffer(joint / 2 * growth + GROWTH_MM * UM, join_style=2, mitre_limit=MITRE) for s in stones])
+    return inner.difference(grown)
+
+
+def bare_spot(area, stones, layout, least):
+    """Diameter of the widest bare disc, um, if it is over `least`, else 0; and its place, mm."""
+    left = bare(area, stones, layout, GROWTH)
+    if left.is_empty or left.buffer(-least / 2, 4).is_empty:
         return 0.0, None
-    diameter, middle = widest_disc(bare)
+    diameter, middle = widest_disc(left)
     return diameter, middle and (middle.x / UM, middle.y / UM)
 
 
@@ -236,6 +242,11 @@ def judged(layout):
         diameter, notes["at_mm"] = bare_spot(area, stones, layout, BARE_SHARE * longer)
         if diameter > BARE_SHARE * longer:
             faults["bare"] = diameter / longer
+    if "measured_bare_mm" in layout:
+        diameter, _ = widest_disc(bare(area, stones, layout, 1.0), 16)
+        off = abs(diameter / UM - layout["measured_bare_mm"])
+        if off > MEASURED_MM + 0.002 * diameter / UM:  # a quarter of a circle as 16 sides
+            faults["measured"] = off
     return faults, notes
 
 
@@ -380,7 +391,7 @@ def self_test(lines):
             if kind not in judged(twin)[0]:
                 missed.append(f"number {layout['number']}: {kind} was not found out\n{layout['toml']}")
     print("spoilt and found out: " + ", ".join(f"{kind} {count}" for kind, count in sorted(tried.items())))
-    return missed + [f"no layout was spoilt by {kind}" for kind in KINDS if kind not in ("failed", "touching") and tried[kind] < 3]
+    return missed + [f"no layout was spoilt by {kind}" for kind in KINDS if kind not in ("failed", "touching", "measured") and tried[kind] < 3]
 
 
 def main():

@@ -6,7 +6,7 @@
    judge_layouts.py --self-test < LINES                      sound layouts are spoilt: each must be found out
 
 Prints how many layouts there were of each bond and field and what is wrong with them, the worst of each fault with the scenes that make
-them, and the largest stones of the bonds without a limit. Exit status 1 where anything is wrong.
+them, and the largest stones of the bonds whose stones differ by design. Exit status 1 where anything is wrong.
 
 Faults, each exact in micrometres or with the tolerance that stands below:
    failed     the program ended otherwise than by laying or by refusing
@@ -16,8 +16,8 @@ Faults, each exact in micrometres or with the tolerance that stands below:
    outside    a stone leaves the area or enters a hole; mm2
    bare       the widest disc in what is left bare when stones are grown by half a joint and the border's half joint is taken off, over a
               tenth of the stone's longer side; its measure is the diameter over the longer side
-   large      a stone fits no stone of its stock at any rotation: of bonds with straight sides, and of borders; its measure is the side of
-              the square that it would fit were the stock one, over the stock's
+   large      a stone fits no stone of its stock at any rotation, or has a larger area; its measure is how many times as large that would
+              have to be each way
    measured   where lines hold what the scorer measured: its widest bare spot is another one; mm
 """
 import argparse, collections, json, math, multiprocessing, re, subprocess, sys, time
@@ -34,7 +34,6 @@ MITRE = 5.0
 FIT_MM = 0.05                # how much larger than its stock a stone may be
 MEASURED_MM = 0.1            # how far the scorer's bare spot may be off
 KINDS = ("failed", "invalid", "overlap", "touching", "outside", "bare", "large", "measured")
-STRAIGHT = ("herringbone", "basket_weave", "hexagon", "ashlar")
 
 
 def hexagon_face(pitch, joint):
@@ -51,21 +50,27 @@ class Stock:
         self.area = area or max(a * b for a, b in rectangles)
 
 
+# Of bonds whose stones differ by design: how many times as long or wide, and as large, as stone_mm a stone may be (src/paving/bond.h;
+# of arcs and fans, whose stones at the ends and feet are larger, by what the whole ones of many are, and some room).
+DIFFERING = {"packed": (1.5, 2.25), "crazy": (2.0, 2.0), "segmental_arc": (1.5, 1.3), "fan": (2.0, 1.6)}
+
+
 def field_stock(layout):
-    """What stone_mm means to each bond (src/paving/bond.h), and whether the bond has straight sides."""
+    """What stone_mm means to each bond (src/paving/bond.h), and whether all its stones are of it."""
     (a, b), joint, bond = layout["stone_mm"], layout["joint_mm"], layout["bond"]
     pitch = (a + joint, b + joint)
-    straight = bond in STRAIGHT or layout["field"] == "constant" and bond in ("packed", "running", "stack") \
-        or layout["field"] != "radial" and bond in ("running", "stack")
     if bond == "basket_weave":
-        return Stock([(a, pitch[0] / max(1, math.floor(pitch[0] / pitch[1] + 0.5)) - joint)]), straight
+        return Stock([(a, pitch[0] / max(1, math.floor(pitch[0] / pitch[1] + 0.5)) - joint)]), True
     if bond == "hexagon":
         face = hexagon_face(pitch, joint)
         low_x, low_y, high_x, high_y = face.bounds
-        return Stock([(high_x - low_x, high_y - low_y)], face.area), straight
+        return Stock([(high_x - low_x, high_y - low_y)], face.area), True
     if bond == "ashlar":
-        return Stock([(k * pitch[0] - joint, l * pitch[1] - joint) for k, l in ((3, 2), (2, 3))]), straight
-    return Stock([(a, b)]), straight
+        return Stock([(k * pitch[0] - joint, l * pitch[1] - joint) for k, l in ((3, 2), (2, 3))]), True
+    if bond in DIFFERING and (bond != "packed" or layout["field"] != "constant"):
+        sides, areas = DIFFERING[bond]
+        return Stock([(sides * a, sides * b)], areas * a * b), False
+    return Stock([(a, b)]), True
 
 
 def extents(points, angles):
@@ -171,40 +176,38 @@ def faults_of_pairs(stones, rings):
 
 
 def is_of_border(area, layout):
-    """A function of a stone."""
+    """A function of a stone: whether less than half of it lies farther from the border than the course is deep."""
     if layout["border"] == "none":
         return lambda stone: False
     depth = (layout["border_stone_mm"][1] + layout["joint_mm"]) * UM
-    within = prep(area.buffer(-depth, join_style=2))
-    return lambda stone: not within.contains(stone.centroid)
+    within = area.buffer(-depth, 16)  # round: all that is farther from the border, however the course goes about corners that point inwards
+    prepared = prep(within)
+    return lambda stone: not prepared.contains(stone) and stone.intersection(within).area < 0.5 * stone.area
 
 
 def sizes(area, stones, layout):
-    """The largest excess of stones over their stock where there is a limit, and of the others with their areas over it."""
-    stock, straight = field_stock(layout)
-    border = Stock([layout["border_stone_mm"]])
+    """The largest excess of stones over their stock; and the largest of those that differ by design, over stone_mm."""
+    stock, alike = field_stock(layout)
+    plain, border = Stock([layout["stone_mm"]]), Stock([layout["border_stone_mm"]])
     of_border = is_of_border(area, layout)
     worst, longest, heaviest, oversized = 0.0, 0.0, 0.0, 0
     for stone, given in zip(stones, layout["stones"]):
         bounded = of_border(stone)
         its = border if bounded else stock
         points = numpy.array(given["outline_um"], float)
-        limited = bounded or straight
-        rectangles = [(a * UM, b * UM) for a, b in its.rectangles]
-        allowed = [(a + FIT_MM * UM, b + FIT_MM * UM) for a, b in rectangles]
+        allowed = [((a + FIT_MM) * UM, (b + FIT_MM) * UM) for a, b in its.rectangles]
         angle = math.radians(given["angle_deg"])
         u, v = extents(points, numpy.array([angle, angle + math.pi / 2]))
         fits = any((u[k] <= a and v[k] <= b) for a, b in allowed for k in (0, 1))
         over = 0.0 if fits else excess(points, allowed)
         area_over = stone.area / UM**2 / its.area
-        if limited:
-            # Tolerances are of lengths; over an area they come to as much along both sides.
-            if over > 1.0 or area_over > max((1 + FIT_MM / a) * (1 + FIT_MM / b) for a, b in its.rectangles):
-                worst = max(worst, over, math.sqrt(area_over))
-                oversized += 1
-        else:
-            longest = max(longest, over if over > 1.0 else 1.0)
-            heaviest = max(heaviest, area_over)
+        # Tolerances are of lengths; over an area they come to as much along both sides.
+        if over > 1.0 or area_over > max((1 + FIT_MM / a) * (1 + FIT_MM / b) for a, b in its.rectangles):
+            worst = max(worst, over, math.sqrt(area_over))
+            oversized += 1
+        if not (bounded or alike):
+            longest = max(longest, excess(points, [(a * UM, b * UM) for a, b in plain.rectangles]))
+            heaviest = max(heaviest, stone.area / UM**2 / plain.area)
     return worst, oversized, longest, heaviest
 
 
@@ -305,7 +308,7 @@ class Tally:
             print(f"refused {count} times: {text}")
         for key in sorted({k for k, _ in self.largest}):
             longest, heaviest = self.largest.get((key, "longest"), (0, "")), self.largest.get((key, "heaviest"), (0, ""))
-            print(f"largest stone of {key[0]}, {key[1]}: {longest[0]:.3f} times as long or wide as its stock (number {longest[1]}), "
+            print(f"largest stone of {key[0]}, {key[1]}: {longest[0]:.3f} times as long or wide as stone_mm (number {longest[1]}), "
                   f"{heaviest[0]:.3f} times its area (number {heaviest[1]})")
         for kind in KINDS:
             for measure, number, shape, border, key, at, toml in self.worst[kind][:scenes]:
@@ -367,7 +370,7 @@ def spoilt(layout):
     yield "invalid", twin(k, stones[k]["outline_um"][::-1])
     far = Polygon(layout["outline_um"]).bounds[2] - shapes[k].bounds[0] - 50.0
     yield "outside", twin(k, [[round(x + far), y] for x, y in stones[k]["outline_um"]])
-    if field_stock(layout)[1]:
+    if field_stock(layout)[1]:  # two of those that differ may be no larger than one
         hull = shapes[k].union(shapes[n]).convex_hull.exterior.coords[:-1]
         hull = [[round(x), round(y)] for x, y in hull]
         if twice_area(hull) < 0:

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/error.h"
+#include "measure/bare_spot.h"
 
 namespace shatterpave::measure {
 
@@ -20,6 +21,8 @@ constexpr double joint_tolerance = 10.0;   // % of the asked width, from the 5th
 constexpr double joint_median_tolerance = 2.5;
 constexpr double most_area_spread = 8.0;  // %
 constexpr double least_smallest = 25.0;   // %
+// Of the stock; what lies above the whole is for the rounding of corners to the lattice.
+constexpr double most_of_stock = 100.1;  // %
 // Irregular spots over the least number that the field allows; by eye: with twice as many one still sees rows.
 constexpr double most_spots_to_least = 2.0;
 // Missing stones are drawn one by one: within four standard deviations of the binomial law.
@@ -94,6 +97,10 @@ std::vector<FindingOf> all_findings(const paving::Pavement& pavement) {
                         "stones");
       },
       [](const F& f) { return none("holes", "Places where a stone is missing", f.holes, f.stones); },
+      [&pavement](const F& f) {
+        return at_most("bare_spot", "Widest bare spot between stones grown by half a joint", "mm",
+                       widest_allowed_spot_mm(pavement), f.bare_spot_mm, f.stones, "stones");
+      },
       [&pavement](const F& f) { return missing(pavement, f); },
       [](const F& f) {
         return at_least("joint_p5", "Width of joints over the asked one, 5th percentile", 100.0 - joint_tolerance,
@@ -121,6 +128,10 @@ std::vector<FindingOf> all_findings(const paving::Pavement& pavement) {
       [](const F& f) {
         return at_least("smallest_piece", "Smallest piece over a whole stone", least_smallest, f.smallest_percent, f.stones,
                         "stones");
+      },
+      [](const F& f) {
+        return at_most("largest_stone", "Largest stone over its stock, in length, width or area", "%", most_of_stock,
+                       f.largest_limited_percent, f.limited, "stones");
       },
       [](const F& f) {
         return at_most("irregular_spots", "Spots of irregular stones, against twice the least that the field allows", "",

@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "geometry/lattice.h"
+#include "measure/bare_spot.h"
 #include "measure/coverage.h"
 #include "measure/stone_index.h"
 #include "paving/bond.h"
@@ -103,7 +104,11 @@ class StoneMeter {
       : pavement_(pavement), layout_(layout), index_(index), area_(area), field_(field) {
     pattern_axis_ = (paving::main_direction(pavement) + pavement.bonding.turn).direction();
     border_mm_ = paving::border_stone_mm(pavement);
+    stock_ = stock_limit(pavement);
+    border_stock_ = border_stock_limit(pavement);
   }
+
+  const StockLimit& stock_of(const StoneMeasures& stone) const { return stone.in_border_course ? border_stock_ : stock_; }
 
   StoneMeasures measures(std::size_t s, StoneSamples& samples) const {
     const Stone& stone = layout_.stones[s];
@@ -111,11 +116,11 @@ class StoneMeter {
     result.id = stone.id;
     result.kind = stone.kind;
     result.middle_mm = geometry::on_lattice(geometry::centroid(stone.outline_mm));
-    result.in_border_course = pavement_.border.course != paving::BorderCourse::none &&
-                              area_.border_within(result.middle_mm, border_mm_.y + pavement_.joint_mm);
+    result.in_border_course = stone.part == paving::StonePart::border;
     result.corners = stone.outline_mm.size();
     const double asked = result.in_border_course ? border_mm_.x * border_mm_.y : paving::whole_face_mm2(pavement_);
     result.area_ratio = geometry::area(stone.outline_mm) / asked;
+    result.stock = stock_share(stone.outline_mm, stock_of(result));
     if (stone.kind != StoneKind::whole) return result;
     if (result.in_border_course || has_straight_sides(pavement_.bonding.bond)) {
       add_sides(stone, result.in_border_course, samples.sides);
@@ -182,6 +187,8 @@ class StoneMeter {
   const geometry::RegionIndex& area_;
   const paving::DirectionField& field_;
   vec2 pattern_axis_{1.0, 0.0};
+  StockLimit stock_;
+  StockLimit border_stock_;
   vec2 border_mm_{0.0, 0.0};
 };
 
@@ -310,6 +317,21 @@ void sum_up(const Pavement& pavement, const std::vector<StoneSamples>& samples, 
   figures.smallest_percent = 100.0 * smallest;
 }
 
+// The largest stones beside their stock.
+void note_largest(const StoneMeter& meter, LayoutMeasures& measures) {
+  LayoutFigures& f = measures.figures;
+  const auto raise = [](double& percent, double share) { percent = std::max(percent, 100.0 * share); };
+  for (const StoneMeasures& stone : measures.stones) {
+    raise(f.largest_length_percent, stone.stock.length);
+    raise(f.largest_width_percent, stone.stock.width);
+    raise(f.largest_area_percent, stone.stock.area);
+    const std::optional<double> most = meter.stock_of(stone).most;
+    if (!most) continue;
+    ++f.limited;
+    raise(f.largest_limited_percent, std::max({stone.stock.length, stone.stock.width, stone.stock.area}) / *most);
+  }
+}
+
 // Both layouts are in the order of ids.
 void note_missing(const StoneLayout& lying, LayoutMeasures& measures) {
   auto next = lying.stones.begin();
@@ -347,6 +369,10 @@ LayoutMeasures measured(const Pavement& pavement, const StoneLayout& set_out, co
     count_irregular(pavement, field, area, measures);
   }
   sum_up(pavement, samples, measures);
+  note_largest(meter, measures);
+  const geometry::Circle spot = widest_bare_spot(pavement, set_out, index, area);
+  figures.bare_spot_mm = 2.0 * spot.radius;
+  measures.bare_spot_mm = spot.middle;
   Coverage coverage = coverage_of(pavement, set_out, index, area);
   figures.covered_percent = 100.0 * coverage.share;
   figures.holes = coverage.holes.size();

@@ -12,6 +12,8 @@
 // Joints: from a point of each side of a whole stone straight out to the next stone, if there is one within three joints; over
 // the asked width. Where a row or a column ends, joints cannot all be as asked: those beside an irregular stone are excepted,
 // and counted. (Stones that follow a bend without such an end share their cell's sides, so that no bend needs more.)
+// Bare spot: of the stones grown by half a joint, with the half joint along the border taken off (measure/bare_spot.h).
+// Stock: every stone beside what its bond, or its border course, cuts stones from (measure/stone_stock.h).
 // Areas: of whole stones, but for bonds whose stones differ by design: segmental_arc, fan, ashlar, crazy.
 // Regular: in a packing, a stone with four neighbours. Of stones that have no cut one and no border beside them the others are
 // counted, and the spots that those side by side make. One spot is the end of at least one row or column;
@@ -27,6 +29,7 @@
 #include "measure/distribution.h"
 #include "measure/field_defects.h"
 #include "measure/layout_faults.h"
+#include "measure/stone_stock.h"
 #include "paving/pavement.h"
 #include "paving/stones.h"
 
@@ -42,6 +45,7 @@ struct StoneMeasures {
   std::optional<int> neighbours;         // sides shared with other stones; of a whole stone of a packing
   bool irregular = false;                // one of the irregular stones
   double area_ratio = 0.0;               // over that of the asked stone
+  StockShare stock;                      // how large beside what it is cut from
   std::optional<double> misaligned_deg;  // mean over its sides by length; of a whole stone
   Distribution joint_ratio;              // of the joints beside it; of a whole stone
   bool missing = false;                  // left out by variation
@@ -62,6 +66,7 @@ struct LayoutFigures {
 
   double covered_percent = 0.0;
   std::size_t holes = 0;
+  double bare_spot_mm = 0.0;  // diameter of the widest disc between stones that are grown by half a joint
 
   std::size_t joints = 0;
   std::size_t excepted_joints = 0;
@@ -74,6 +79,12 @@ struct LayoutFigures {
   double area_spread_percent = 0.0;  // standard deviation over mean
   double smallest_percent = 0.0;     // least area of a stone over that of the asked one
 
+  double largest_length_percent = 0.0;  // of the stock that a stone is cut from; of all stones
+  double largest_width_percent = 0.0;
+  double largest_area_percent = 0.0;
+  std::size_t limited = 0;               // stones of a bond or a border course whose stones have a limit
+  double largest_limited_percent = 0.0;  // length, width or area of one of those over its limit
+
   std::size_t counted_stones = 0;  // that are looked at for regularity
   std::size_t irregular_stones = 0;
   std::size_t irregular_spots = 0;
@@ -84,6 +95,7 @@ struct LayoutMeasures {
   LayoutFigures figures;
   std::vector<StoneMeasures> stones;                                   // as set out
   std::vector<vec2> holes_mm;                                          // where a stone is missing that should not be
+  vec2 bare_spot_mm{0.0, 0.0};                                         // middle of the widest, if there is one
   Histogram misaligned_deg{0.0, 0.25, std::vector<std::size_t>(60)};   // of sides; 0 … 15°
   Histogram joints_percent{48.75, 2.5, std::vector<std::size_t>(40)};  // about 50 … 150 %, one cell about 100
   Histogram areas_percent{48.75, 2.5, std::vector<std::size_t>(40)};   // of whole stones that should be of one size

@@ -6,7 +6,7 @@
    judge_layouts.py --self-test < LINES                      sound layouts are spoilt: each must be found out
 
 Prints how many layouts there were of each bond and field and what is wrong with them, the worst of each fault with the scenes that make
-them, and the largest stones of the bonds without a limit. Exit status 1 where anything is wrong.
+them, and the largest stones of the bonds whose stones differ by design. Exit status 1 where anything is wrong.
 
 Faults, each exact in micrometres or with the tolerance that stands below:
    failed     the program ended otherwise than by laying or by refusing
@@ -16,8 +16,9 @@ Faults, each exact in micrometres or with the tolerance that stands below:
    outside    a stone leaves the area or enters a hole; mm2
    bare       the widest disc in what is left bare when stones are grown by half a joint and the border's half joint is taken off, over a
               tenth of the stone's longer side; its measure is the diameter over the longer side
-   large      a stone fits no stone of its stock at any rotation: of bonds with straight sides, and of borders; its measure is the side of
-              the square that it would fit were the stock one, over the stock's
+   large      a stone fits no stone of its stock at any rotation, or has a larger area; its measure is how many times as large that would
+              have to be each way
+   measured   where lines hold what the scorer measured: its widest bare spot is another one; mm
 """
 import argparse, collections, json, math, multiprocessing, re, subprocess, sys, time
 import numpy
@@ -31,8 +32,8 @@ GROWTH = 1.02                # joints on bent fields are a little wider than ask
 GROWTH_MM = 0.01             # and stones draw back by a hairline where there is no joint
 MITRE = 5.0
 FIT_MM = 0.05                # how much larger than its stock a stone may be
-KINDS = ("failed", "invalid", "overlap", "touching", "outside", "bare", "large")
-STRAIGHT = ("herringbone", "basket_weave", "hexagon", "ashlar")
+MEASURED_MM = 0.1            # how far the scorer's bare spot may be off
+KINDS = ("failed", "invalid", "overlap", "touching", "outside", "bare", "large", "measured")
 
 
 def hexagon_face(pitch, joint):
@@ -49,21 +50,27 @@ class Stock:
         self.area = area or max(a * b for a, b in rectangles)
 
 
+# Of bonds whose stones differ by design: how many times as long or wide, and as large, as stone_mm a stone may be (src/paving/bond.h;
+# of arcs and fans, whose stones at the ends and feet are larger, by what the whole ones of many are, and some room).
+DIFFERING = {"packed": (1.5, 2.25), "crazy": (2.0, 2.0), "segmental_arc": (1.5, 1.3), "fan": (2.0, 1.6)}
+
+
 def field_stock(layout):
-    """What stone_mm means to each bond (src/paving/bond.h), and whether the bond has straight sides."""
+    """What stone_mm means to each bond (src/paving/bond.h), and whether all its stones are of it."""
     (a, b), joint, bond = layout["stone_mm"], layout["joint_mm"], layout["bond"]
     pitch = (a + joint, b + joint)
-    straight = bond in STRAIGHT or layout["field"] == "constant" and bond in ("packed", "running", "stack") \
-        or layout["field"] != "radial" and bond in ("running", "stack")
     if bond == "basket_weave":
-        return Stock([(a, pitch[0] / max(1, math.floor(pitch[0] / pitch[1] + 0.5)) - joint)]), straight
+        return Stock([(a, pitch[0] / max(1, math.floor(pitch[0] / pitch[1] + 0.5)) - joint)]), True
     if bond == "hexagon":
         face = hexagon_face(pitch, joint)
         low_x, low_y, high_x, high_y = face.bounds
-        return Stock([(high_x - low_x, high_y - low_y)], face.area), straight
+        return Stock([(high_x - low_x, high_y - low_y)], face.area), True
     if bond == "ashlar":
-        return Stock([(k * pitch[0] - joint, l * pitch[1] - joint) for k, l in ((3, 2), (2, 3))]), straight
-    return Stock([(a, b)]), straight
+        return Stock([(k * pitch[0] - joint, l * pitch[1] - joint) for k, l in ((3, 2), (2, 3))]), True
+    if bond in DIFFERING and (bond != "packed" or layout["field"] != "constant"):
+        sides, areas = DIFFERING[bond]
+        return Stock([(sides * a, sides * b)], areas * a * b), False
+    return Stock([(a, b)]), True
 
 
 def extents(points, angles):
@@ -119,8 +126,8 @@ def twice_area(ring):
     return sum((p[0] - x0) * (q[1] - y0) - (q[0] - x0) * (p[1] - y0) for p, q in zip(ring, ring[1:] + ring[:1]))
 
 
-def widest_disc(shape):
-    """Its diameter, to a micrometre of a millimetre or so, and its middle."""
+def widest_disc(shape, corners=4):
+    """Its diameter and its middle; `corners` to a quarter of a circle."""
     parts = [p for p in getattr(shape, "geoms", [shape]) if p.area > 0]
     best, middle = 0.0, None
     for part in sorted(parts, key=lambda p: -p.area):
@@ -130,7 +137,7 @@ def widest_disc(shape):
         low = best
         for _ in range(16):
             half = (low + high) / 2
-            left = part.buffer(-half / 2, 4)
+            left = part.buffer(-half / 2, corners)
             if left.is_empty:
                 high = half
             else:
@@ -139,15 +146,19 @@ def widest_disc(shape):
     return best, middle
 
 
-def bare_spot(area, stones, layout, least):
-    """Diameter of the widest bare disc, um, if it is over `least`, else 0; and its place, mm."""
+def bare(area, stones, layout, growth):
     joint = layout["joint_mm"] * UM
     inner = area.buffer(-joint / 2, join_style=2, mitre_limit=MITRE) if joint > 0 else area
-    grown = unary_union([s.buffer(joint / 2 * GROWTH + GROWTH_MM * UM, join_style=2, mitre_limit=MITRE) for s in stones])
-    bare = inner.difference(grown)
-    if bare.is_empty or bare.buffer(-least / 2, 4).is_empty:
+    grown = unary_union([s.buffer(joint / 2 * growth + GROWTH_MM * UM, join_style=2, mitre_limit=MITRE) for s in stones])
+    return inner.difference(grown)
+
+
+def bare_spot(area, stones, layout, least):
+    """Diameter of the widest bare disc, um, if it is over `least`, else 0; and its place, mm."""
+    left = bare(area, stones, layout, GROWTH)
+    if left.is_empty or left.buffer(-least / 2, 4).is_empty:
         return 0.0, None
-    diameter, middle = widest_disc(bare)
+    diameter, middle = widest_disc(left)
     return diameter, middle and (middle.x / UM, middle.y / UM)
 
 
@@ -165,30 +176,27 @@ def faults_of_pairs(stones, rings):
 
 
 def sizes(area, stones, layout):
-    """The largest excess of stones over their stock where there is a limit, and of the others with their areas over it."""
-    stock, straight = field_stock(layout)
-    border = Stock([layout["border_stone_mm"]])
+    """The largest excess of stones over their stock; and the largest of those that differ by design, over stone_mm."""
+    stock, alike = field_stock(layout)
+    plain, border = Stock([layout["stone_mm"]]), Stock([layout["border_stone_mm"]])
     worst, longest, heaviest, oversized = 0.0, 0.0, 0.0, 0
     for stone, given in zip(stones, layout["stones"]):
         bounded = given["part"] == "border"
         its = border if bounded else stock
         points = numpy.array(given["outline_um"], float)
-        limited = bounded or straight
-        rectangles = [(a * UM, b * UM) for a, b in its.rectangles]
-        allowed = [(a + FIT_MM * UM, b + FIT_MM * UM) for a, b in rectangles]
+        allowed = [((a + FIT_MM) * UM, (b + FIT_MM) * UM) for a, b in its.rectangles]
         angle = math.radians(given["angle_deg"])
         u, v = extents(points, numpy.array([angle, angle + math.pi / 2]))
         fits = any((u[k] <= a and v[k] <= b) for a, b in allowed for k in (0, 1))
         over = 0.0 if fits else excess(points, allowed)
         area_over = stone.area / UM**2 / its.area
-        if limited:
-            # Tolerances are of lengths; over an area they come to as much along both sides.
-            if over > 1.0 or area_over > max((1 + FIT_MM / a) * (1 + FIT_MM / b) for a, b in its.rectangles):
-                worst = max(worst, over, math.sqrt(area_over))
-                oversized += 1
-        else:
-            longest = max(longest, over if over > 1.0 else 1.0)
-            heaviest = max(heaviest, area_over)
+        # Tolerances are of lengths; over an area they come to as much along both sides.
+        if over > 1.0 or area_over > max((1 + FIT_MM / a) * (1 + FIT_MM / b) for a, b in its.rectangles):
+            worst = max(worst, over, math.sqrt(area_over))
+            oversized += 1
+        if not (bounded or alike):
+            longest = max(longest, excess(points, [(a * UM, b * UM) for a, b in plain.rectangles]))
+            heaviest = max(heaviest, stone.area / UM**2 / plain.area)
     return worst, oversized, longest, heaviest
 
 
@@ -226,6 +234,11 @@ def judged(layout):
         diameter, notes["at_mm"] = bare_spot(area, stones, layout, BARE_SHARE * longer)
         if diameter > BARE_SHARE * longer:
             faults["bare"] = diameter / longer
+    if "measured_bare_mm" in layout:
+        diameter, _ = widest_disc(bare(area, stones, layout, 1.0), 16)
+        off = abs(diameter / UM - layout["measured_bare_mm"])
+        if off > MEASURED_MM + 0.002 * diameter / UM:  # a quarter of a circle as 16 sides
+            faults["measured"] = off
     return faults, notes
 
 
@@ -284,7 +297,7 @@ class Tally:
             print(f"refused {count} times: {text}")
         for key in sorted({k for k, _ in self.largest}):
             longest, heaviest = self.largest.get((key, "longest"), (0, "")), self.largest.get((key, "heaviest"), (0, ""))
-            print(f"largest stone of {key[0]}, {key[1]}: {longest[0]:.3f} times as long or wide as its stock (number {longest[1]}), "
+            print(f"largest stone of {key[0]}, {key[1]}: {longest[0]:.3f} times as long or wide as stone_mm (number {longest[1]}), "
                   f"{heaviest[0]:.3f} times its area (number {heaviest[1]})")
         for kind in KINDS:
             for measure, number, shape, border, key, at, toml in self.worst[kind][:scenes]:
@@ -346,7 +359,7 @@ def spoilt(layout):
     yield "invalid", twin(k, stones[k]["outline_um"][::-1])
     far = Polygon(layout["outline_um"]).bounds[2] - shapes[k].bounds[0] - 50.0
     yield "outside", twin(k, [[round(x + far), y] for x, y in stones[k]["outline_um"]])
-    if field_stock(layout)[1]:
+    if field_stock(layout)[1]:  # two of those that differ may be no larger than one
         hull = shapes[k].union(shapes[n]).convex_hull.exterior.coords[:-1]
         hull = [[round(x), round(y)] for x, y in hull]
         if twice_area(hull) < 0:
@@ -370,7 +383,7 @@ def self_test(lines):
             if kind not in judged(twin)[0]:
                 missed.append(f"number {layout['number']}: {kind} was not found out\n{layout['toml']}")
     print("spoilt and found out: " + ", ".join(f"{kind} {count}" for kind, count in sorted(tried.items())))
-    return missed + [f"no layout was spoilt by {kind}" for kind in KINDS if kind not in ("failed", "touching") and tried[kind] < 3]
+    return missed + [f"no layout was spoilt by {kind}" for kind in KINDS if kind not in ("failed", "touching", "measured") and tried[kind] < 3]
 
 
 def main():

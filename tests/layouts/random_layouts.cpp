@@ -3,11 +3,13 @@
 //    random_layouts --first N --count M [--rare] [FILE.geojson …]    numbers N … N + M − 1, with the areas of these files among
 //                                            theirs; --rare: stones larger than their area, joints wider than stones, and the
 //                                            like
-//    random_layouts --scene FILE.toml …                      the pavements of these scenes
+//    random_layouts --scene FILE.toml …      the pavements of these scenes
 //
+// With --measured before them lines also hold what the scorer finds.
 // A line is a pure function of its number, of the files and of the program. It holds the scene file that makes it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
@@ -21,7 +23,10 @@
 
 #include "core/error.h"
 #include "geometry/lattice.h"
+#include "geometry/region_index.h"
 #include "layouts/random_pavement.h"
+#include "measure/bare_spot.h"
+#include "measure/stone_index.h"
 #include "paving/border.h"
 #include "paving/kerb.h"
 #include "paving/laying.h"
@@ -126,11 +131,20 @@ void put_layout(std::string& out, const paving::StoneLayout& layout) {
   out += ']';
 }
 
+void put_measured(std::string& out, const paving::Pavement& pavement, const paving::StoneLayout& layout) {
+  const measure::StoneIndex index(layout, std::max(pavement.stone_mm.x, pavement.stone_mm.y) + pavement.joint_mm);
+  const geometry::Circle spot = measure::widest_bare_spot(pavement, layout, index, geometry::RegionIndex(pavement.area));
+  fmt::format_to(std::back_inserter(out), ",\"measured_bare_mm\":{},\"measured_at_mm\":[{},{}]", 2.0 * spot.radius,
+                 spot.middle.x, spot.middle.y);
+}
+
 // The line of one pavement of a scene; `head` is the start of its JSON.
-void print_line(std::string head, const paving::Pavement& pavement, std::uint64_t seed) {
+void print_line(std::string head, const paving::Pavement& pavement, std::uint64_t seed, bool with_measures) {
   put_pavement(head, pavement);
   try {
-    put_layout(head, paving::laid_stones(pavement, seed));
+    const paving::StoneLayout layout = paving::laid_stones(pavement, seed);
+    put_layout(head, layout);
+    if (with_measures) put_measured(head, pavement, layout);
   } catch (const InputError& error) {
     head += ",\"refused\":" + json_text(error.what());
   } catch (const std::exception& error) {
@@ -139,20 +153,26 @@ void print_line(std::string head, const paving::Pavement& pavement, std::uint64_
   fmt::print("{}}}\n", head);
 }
 
-void print_scene(const std::string& file) {
+void print_scene(const std::string& file, bool with_measures) {
   const scene::Scene scene = scene::scene_of_file(file);
   for (const paving::Pavement& pavement : scene.pavements) {
     const std::string head =
         fmt::format("{{\"number\":{},\"shape\":\"own\",\"toml\":\"\"", json_text(file + ": " + pavement.name));
-    print_line(head, pavement, scene.seed);
-    if (pavement.kerb.width_mm > 0.0) print_line(head, paving::kerb(pavement), scene.seed);
+    print_line(head, pavement, scene.seed, with_measures);
+    if (pavement.kerb.width_mm > 0.0) print_line(head, paving::kerb(pavement), scene.seed, with_measures);
   }
 }
 
-void print_number(std::uint64_t number, layouts::Kind kind, const std::vector<geometry::Region>& places) {
+struct Wanted {
+  layouts::Kind kind = layouts::Kind::usual;
+  std::vector<geometry::Region> places;
+  bool measures = false;
+};
+
+void print_number(std::uint64_t number, const Wanted& wanted) {
   std::string why;
   for (std::uint64_t attempt = 0; attempt < most_attempts; ++attempt) {
-    const layouts::DrawnScene drawn = layouts::random_scene(number, attempt, kind, places);
+    const layouts::DrawnScene drawn = layouts::random_scene(number, attempt, wanted.kind, wanted.places);
     scene::Scene scene;
     try {
       scene = scene::scene_of_text(drawn.toml, "layout.toml");
@@ -162,7 +182,7 @@ void print_number(std::uint64_t number, layouts::Kind kind, const std::vector<ge
     }
     print_line(fmt::format("{{\"number\":{},\"attempt\":{},\"shape\":\"{}\",\"toml\":{}", number, attempt, drawn.shape,
                            json_text(drawn.toml)),
-               scene.pavements.front(), scene.seed);
+               scene.pavements.front(), scene.seed, wanted.measures);
     return;
   }
   throw std::runtime_error(fmt::format("number {}: no scene in {} attempts: {}", number, most_attempts, why));
@@ -181,23 +201,24 @@ void print_all(std::span<char*> arguments) {
   std::uint64_t first = 1;
   std::uint64_t count = 0;
   bool scenes = false;
-  layouts::Kind kind = layouts::Kind::usual;
-  std::vector<geometry::Region> places;
+  Wanted wanted;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string_view argument = arguments[i];
     if ((argument == "--first" || argument == "--count") && i + 1 < arguments.size()) {
       (argument == "--first" ? first : count) = number_of(arguments[++i]);
     } else if (argument == "--rare") {
-      kind = layouts::Kind::rare;
+      wanted.kind = layouts::Kind::rare;
+    } else if (argument == "--measured") {
+      wanted.measures = true;
     } else if (argument == "--scene") {
       scenes = true;
     } else if (scenes) {
-      print_scene(arguments[i]);
+      print_scene(arguments[i], wanted.measures);
     } else {
-      for (geometry::Region& area : scene::areas_of_file(argument)) places.push_back(std::move(area));
+      for (geometry::Region& area : scene::areas_of_file(argument)) wanted.places.push_back(std::move(area));
     }
   }
-  for (std::uint64_t number = first; number < first + count; ++number) print_number(number, kind, places);
+  for (std::uint64_t number = first; number < first + count; ++number) print_number(number, wanted);
 }
 
 }  // namespace

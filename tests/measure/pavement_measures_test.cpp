@@ -97,10 +97,46 @@ TEST_F(GoodLayout, IsRejectedWithOneStoneRemoved) {
     const vec2 middle = geometry::centroid(other.stones[s].outline_mm);
     other.stones.erase(other.stones.begin() + static_cast<std::ptrdiff_t>(s));
     const LayoutMeasures measures = as_laid(paved, other);
-    EXPECT_EQ(failing(paved, measures.figures), Ids{"holes"});
+    EXPECT_EQ(failing(paved, measures.figures), (Ids{"holes", "bare_spot"}));
+    EXPECT_GT(measures.figures.bare_spot_mm, 80.0);
+    EXPECT_LT(glm::length(measures.bare_spot_mm - middle), 10.0);
     ASSERT_EQ(measures.holes_mm.size(), 1U);
     EXPECT_LT(glm::length(measures.holes_mm[0] - middle), 10.0);
   }
+}
+
+// Two stones as one: no overlap, no bare spot, only too large.
+TEST(PavementMeasures, RejectAStoneLargerThanItsStock) {
+  const Pavement path = small_path();
+  StoneLayout layout = paving::laid_stones(path, 1);
+  ASSERT_EQ(failing(path, as_laid(path, layout).figures), Ids{});
+  std::size_t next = 1;
+  while (layout.stones[next].outline_mm[0].y != layout.stones[0].outline_mm[0].y) ++next;
+  const auto at = [&](std::size_t s) { return geometry::bounding_box(layout.stones[s].outline_mm); };
+  const geometry::Box a = at(0);
+  const geometry::Box b = at(next);
+  const vec2 low = glm::min(a.low, b.low);
+  const vec2 high = glm::max(a.high, b.high);
+  layout.stones[0].outline_mm = {low, {high.x, low.y}, high, {low.x, high.y}};
+  layout.stones.erase(layout.stones.begin() + static_cast<std::ptrdiff_t>(next));
+  const LayoutMeasures measures = as_laid(path, layout);
+  EXPECT_NEAR(measures.figures.largest_length_percent, 208.0, 1e-6);
+  EXPECT_NEAR(measures.figures.largest_width_percent, 100.0, 1e-6);
+  EXPECT_NEAR(measures.figures.largest_area_percent, 208.0, 1e-6);
+  EXPECT_EQ(measures.figures.bare_spot_mm, 0.0);
+  const Ids ids = failing(path, measures.figures);
+  EXPECT_NE(std::ranges::find(ids, "largest_stone"), ids.end());
+  // By a twentieth of a millimetre a stone is not larger, by half a millimetre it is.
+  const auto longer_by = [&](double mm) {
+    StoneLayout other = paving::laid_stones(path, 1);
+    for (vec2& p : other.stones[0].outline_mm) {
+      if (p.x > 50.0) p.x += mm;
+    }
+    const Ids failed = failing(path, as_laid(path, other).figures);
+    return std::ranges::find(failed, "largest_stone") != failed.end();
+  };
+  EXPECT_FALSE(longer_by(0.05));
+  EXPECT_TRUE(longer_by(0.5));
 }
 
 TEST_F(GoodLayout, IsRejectedWithJointsWiderByATwentieth) {

@@ -120,9 +120,11 @@ std::string seeds_rows(const SurveyedPavement& pavement) {
       {"Sides against their rows, 95th percentile, °", [](const F& f) { return f.misaligned_p95_deg; }, 2},
       {"Four-sided, %", [](const F& f) { return f.four_sided_percent; }, 2},
       {"Covered, %", [](const F& f) { return f.covered_percent; }, 3},
+      {"Widest bare spot, mm", [](const F& f) { return f.bare_spot_mm; }, 1},
       {"Joints, 95th percentile, %", [](const F& f) { return f.joint_p95_percent; }, 1},
       {"Spread of areas, %", [](const F& f) { return f.area_spread_percent; }, 2},
       {"Smallest piece, %", [](const F& f) { return f.smallest_percent; }, 1},
+      {"Largest stone, area over its stock's, %", [](const F& f) { return f.largest_area_percent; }, 1},
       {"Irregular spots", [](const F& f) { return static_cast<double>(f.irregular_spots); }, 1},
   };
   Buffer out;

@@ -39,6 +39,7 @@ const std::vector<Column>& columns() {
       {"four_sided_percent", [](const F& f) { return of(f.shaped, f.four_sided_percent); }},
       {"covered_percent", [](const F& f) { return of(f.stones, f.covered_percent); }},
       {"holes", [](const F& f) { return whole(f.holes); }},
+      {"bare_spot_mm", [](const F& f) { return of(f.stones, f.bare_spot_mm); }},
       {"joints", [](const F& f) { return whole(f.joints); }},
       {"excepted_joints", [](const F& f) { return whole(f.excepted_joints); }},
       {"joint_p5_percent", [](const F& f) { return of(f.joints, f.joint_p5_percent); }},
@@ -47,6 +48,9 @@ const std::vector<Column>& columns() {
       {"area_mean_percent", [](const F& f) { return of(f.sized, f.area_mean_percent); }},
       {"area_spread_percent", [](const F& f) { return of(f.sized, f.area_spread_percent); }},
       {"smallest_percent", [](const F& f) { return of(f.stones, f.smallest_percent); }},
+      {"largest_length_percent", [](const F& f) { return of(f.stones, f.largest_length_percent); }},
+      {"largest_width_percent", [](const F& f) { return of(f.stones, f.largest_width_percent); }},
+      {"largest_area_percent", [](const F& f) { return of(f.stones, f.largest_area_percent); }},
       {"irregular_stones", [](const F& f) { return of(f.counted_stones, static_cast<double>(f.irregular_stones)); }},
       {"irregular_spots", [](const F& f) { return of(f.counted_stones, static_cast<double>(f.irregular_spots)); }},
       {"least_spots", [](const F& f) { return of(f.counted_stones, f.field.least_spots()); }},
@@ -72,6 +76,7 @@ void put_csv(fmt::memory_buffer& out, const StoneMeasures& stone) {
   } else {
     out.append(std::string_view(",,"));
   }
+  fmt::format_to(at, ",{:.4f},{:.4f},{:.4f}", stone.stock.length, stone.stock.width, stone.stock.area);
   out.push_back('\n');
 }
 
@@ -99,7 +104,7 @@ std::string stones_csv(const measure::Survey& survey) {
   fmt::memory_buffer out;
   out.append(std::string_view(
       "pavement,id,kind,border_course,missing,x_mm,y_mm,corners,neighbours,irregular,area_ratio,misaligned_deg,"
-      "joints,joint_mean,joint_min,joint_max\n"));
+      "joints,joint_mean,joint_min,joint_max,stock_length,stock_width,stock_area\n"));
   for (const SurveyedPavement& pavement : survey.pavements) {
     for (const StoneMeasures& stone : pavement.first_measures.stones) {
       out.append(pavement.pavement.name);
@@ -132,6 +137,7 @@ Json pavement_json(const SurveyedPavement& pavement) {
           {"first_seed",
            {{"figures", figures},
             {"holes_mm", holes},
+            {"bare_spot_mm", {first.bare_spot_mm.x, first.bare_spot_mm.y}},
             {"misaligned_deg_histogram", json_of(first.misaligned_deg)},
             {"joint_percent_histogram", json_of(first.joints_percent)},
             {"area_percent_histogram", json_of(first.areas_percent)}}},

@@ -24,7 +24,7 @@ Model tiny_model() {
   paved.pavement.area = {{{0, 0}, {400, 0}, {400, 200}, {0, 200}}, {{{10, 10}, {10, 20}, {20, 20}}}};
   paved.layout.stones = {{0, paving::StoneKind::whole, {{4, 4}, {104, 4}, {104, 104}}, Angle::degrees(30)},
                          {1, paving::StoneKind::cut, {{112, 4}, {150.5, 4}, {112, 104}}, Angle::degrees(0)}};
-  return {"tiny", "", 7, {broken}, {paved}};
+  return {"tiny", "", "", 7, {broken}, {paved}};
 }
 
 TEST(GeometryJson, GoldenText) {
@@ -49,7 +49,7 @@ TEST(GeometryJson, GoldenText) {
 }
 
 TEST(GeometryJson, NothingIsEmptyListsNotMissingKeys) {
-  EXPECT_EQ(json_file({"none", "", 1, {}, {}}).content,
+  EXPECT_EQ(json_file({"none", "", "", 1, {}, {}}).content,
             "{\"format\":\"shatterpave-geometry\",\"version\":1,\"seed\":1,\n \"panes\":[],\n \"pavements\":[]}\n");
 }
 

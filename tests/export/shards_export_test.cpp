@@ -1,4 +1,5 @@
 // Shards in the files of other programs.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -228,8 +229,8 @@ TEST(ShardsObj, MaterialsAreClearGlass) {
   const std::string text = obj_files(shattered_model())[1].content;
   for (const char* line : {"Ka 0 0 0", "d 1", "Ni 1.52", "Tf 1 1 1", "Pm 0"}) {
     std::size_t count = 0;
-    for (std::size_t at = text.find("\n" + std::string(line) + "\n"); at != std::string::npos;
-         at = text.find("\n" + std::string(line) + "\n", at + 1)) {
+    for (std::size_t at = text.find(fmt::format("\n{}\n", line)); at != std::string::npos;
+         at = text.find(fmt::format("\n{}\n", line), at + 1)) {
       ++count;
     }
     EXPECT_EQ(count, 2U) << line;

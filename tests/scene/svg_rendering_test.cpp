@@ -309,15 +309,15 @@ class Drawer {
     std::string d;
     const int subpaths = 1 + number(3);
     for (int s = 0; s < subpaths; ++s) {
-      d += "M" + at();
+      d.append("M").append(at());
       const int steps = 2 + number(5);
       for (int i = 0; i < steps; ++i) {
         const int kind = number(6);
-        if (kind < 3) d += "L" + at();
-        if (kind == 3) d += "C" + at() + " " + at() + " " + at();
-        if (kind == 4) d += "Q" + at() + " " + at();
+        if (kind < 3) d.append("L").append(at());
+        if (kind == 3) d.append("C").append(at() + " " + at() + " " + at());
+        if (kind == 4) d.append("Q").append(at() + " " + at());
         if (kind == 5)
-          d += "A" + between(10, 40) + " " + between(10, 40) + " 0 " + pick({"0", "1"}) + pick({" 0 ", " 1 "}) + at();
+          d.append("A").append(between(10, 40) + " " + between(10, 40) + " 0 " + pick({"0", "1"}) + pick({" 0 ", " 1 "}) + at());
       }
       if (!one_in(3)) d += "Z";
     }

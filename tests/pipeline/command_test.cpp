@@ -225,8 +225,8 @@ TEST_F(Command, WrongUsageNamesTheWordAndWhatWasMeant) {
       {{"export", "s.toml", "-o", "out", "--targt", "json"}, of_export + "\"--targt\"; did you mean --target?"},
       {{"export", "s.toml", "-o", "out", "--size", "9x9"}, of_export + "\"--size\", an option of render"},
       {{"export", "s.toml", "-o", "out", "--frobnicate"}, of_export + "\"--frobnicate\""},
-      {{"check", "s.toml", "--target", "json"},
-       "shatterpave: check: expected an option of -h, --help, --set or --seed, got \"--target\", an option of export"},
+      {{"check", "s.toml", "--threads", "2"},
+       "shatterpave: check: expected an option of -h, --help, --set, --seed or --target, got \"--threads\", an option of render"},
       {{"export", "s.toml", "-o", "out", "--target", "jsn"},
        "shatterpave: --target: expected povray, json, svg, textures or obj, got \"jsn\"; did you mean json?"},
       {{"export", "s.toml", "-o", "out", "--target", "json,svg"},
@@ -302,10 +302,10 @@ TEST_F(Command, AFolderThatCannotBeMadeIsWrongInput) {
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     EXPECT_EQ(result.err.find("filesystem error"), std::string::npos) << result.err;
   };
-  expect("/proc/foo", "/proc/foo: expected a folder that can be made and written to, got an error: ");
+  expect("/proc/foo", "/proc/foo: expected an output folder that can be written to, got: ");
   expect("dangling", "dangling: expected an output folder, got a link to nothing");
   expect("dangling/below", "expected an output folder, got a link to nothing");
-  expect("/proc", "/proc: expected a folder that can be made and written to, got an error: ");
+  expect("/proc", "/proc: expected an output folder that can be written to, got: ");
   expect(std::string(300, 'x'), "expected a folder that can be made and written to, got an error: ");
   if (::geteuid() == 0) return;  // who may write everywhere
   fs::create_directories(root / "locked");

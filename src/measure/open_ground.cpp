@@ -17,9 +17,10 @@ using geometry::Region;
 
 // Pitches to a side of a tile: Clipper takes more than linear time, many tiles cost more at their borders; by trial.
 constexpr double tile_pitches = 8.0;
-// Stones are grown by so much more, so that neighbours overlap for certain. Rounding to the lattice else leaves slits a few µm
-// wide along half of the joints, which take Clipper long, and now and then lead it to lose a whole stone.
-constexpr double hairline_mm = 0.01;
+// Stones are grown by so much more, so that neighbours overlap for certain, also where they are laid without joints (10 µm
+// apart from their border each, paving/cutting.cpp). Rounding to the lattice else leaves slits a few µm wide along half of the
+// joints, which take Clipper long, and now and then lead it to lose a whole stone.
+constexpr double hairline_mm = 0.02;
 
 Polygon rectangle(const Box& box) { return {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}; }
 
@@ -146,7 +147,7 @@ std::vector<Region> OpenGround::ground(const Box& box) const {
 
 std::vector<Region> OpenGround::open(const Box& box) const {
   const std::vector<Region> parts = ground(box);
-  if (parts.empty()) return parts;
+  if (parts.empty()) return {};
   const Growth growth{0.5 * pavement_.joint_mm + hairline_mm, rules_};
   std::vector<std::size_t> near;
   index_.near(grown_box(box, rules_.miter_limit * growth.distance_mm), near);

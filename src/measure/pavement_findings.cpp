@@ -74,6 +74,18 @@ Finding missing(const paving::Pavement& pavement, const LayoutFigures& f) {
           "stones"};
 }
 
+Finding joint_median(const LayoutFigures& f) {
+  return {"joint_median",
+          "Width of joints over the asked one, median",
+          "%",
+          100.0 - joint_median_tolerance,
+          100.0 + joint_median_tolerance,
+          f.joint_median_percent,
+          0.0,
+          f.joints,
+          "joints"};
+}
+
 std::vector<FindingOf> all_findings(const paving::Pavement& pavement) {
   using F = LayoutFigures;
   return {
@@ -106,17 +118,7 @@ std::vector<FindingOf> all_findings(const paving::Pavement& pavement) {
         return at_least("joint_p5", "Width of joints over the asked one, 5th percentile", 100.0 - joint_tolerance,
                         f.joint_p5_percent, f.joints, "joints");
       },
-      [](const F& f) {
-        return Finding{"joint_median",
-                       "Width of joints over the asked one, median",
-                       "%",
-                       100.0 - joint_median_tolerance,
-                       100.0 + joint_median_tolerance,
-                       f.joint_median_percent,
-                       0.0,
-                       f.joints,
-                       "joints"};
-      },
+      joint_median,
       [](const F& f) {
         return at_most("joint_p95", "Width of joints over the asked one, 95th percentile", "%", 100.0 + joint_tolerance,
                        f.joint_p95_percent, f.joints, "joints");

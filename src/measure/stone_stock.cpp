@@ -130,7 +130,6 @@ StockLimit stock_limit(const Pavement& pavement) {
       return of_faces({pavement.stone_mm}, where(straight));
     case Bond::running:
     case Bond::stack:
-      return of_faces({pavement.stone_mm}, 1.0);
     case Bond::herringbone:
       return of_faces({pavement.stone_mm}, 1.0);
     case Bond::basket_weave:

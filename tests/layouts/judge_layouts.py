@@ -15,7 +15,9 @@ Faults, each exact in micrometres or with the tolerance that stands below:
    touching   stones have points in common, but no inner ones
    outside    a stone leaves the area or enters a hole; mm2
    bare       the widest disc in what is left bare when stones are grown by half a joint and the border's half joint is taken off, over a
-              tenth of the stone's longer side; its measure is the diameter over the longer side
+              tenth of the stone's longer side and a joint; its measure is the diameter over the longer side. Where the bed is narrower
+              than a joint no stone can lie, so discs of a tenth alone are told apart: how many layouts have a wider one, of joints
+              up to a tenth of the longer side (at most 1 %), and of wider joints (at most 10 % of those)
    large      a stone fits no stone of its stock at any rotation, or has a larger area; its measure is how many times as large that would
               have to be each way
    measured   where lines hold what the scorer measured: its widest bare spot is another one; mm
@@ -28,6 +30,7 @@ from shapely.prepared import prep
 
 UM = 1000.0                  # micrometres in a millimetre: all geometry below is in micrometres, where coordinates are whole numbers
 BARE_SHARE = 0.1             # of the stone's longer side
+MOST_OVER_A_TENTH = {"narrow": 0.01, "wide": 0.1}  # of the layouts with such joints
 GROWTH = 1.02                # joints on bent fields are a little wider than asked for; design: 10 % at the 95th percentile
 GROWTH_MM = 0.01             # and stones draw back by a hairline where there is no joint
 MITRE = 5.0
@@ -232,7 +235,10 @@ def judged(layout):
     longer = max(layout["stone_mm"] + (layout["border_stone_mm"] if layout["border"] != "none" else [])) * UM
     if not layout.get("missing"):
         diameter, notes["at_mm"] = bare_spot(area, stones, layout, BARE_SHARE * longer)
-        if diameter > BARE_SHARE * longer:
+        joint = layout["joint_mm"] * UM
+        notes["joints"] = "narrow" if joint <= BARE_SHARE * longer else "wide"
+        notes["over_a_tenth"] = diameter > BARE_SHARE * longer
+        if diameter > BARE_SHARE * longer + joint:
             faults["bare"] = diameter / longer
     if "measured_bare_mm" in layout:
         diameter, _ = widest_disc(bare(area, stones, layout, 1.0), 16)
@@ -248,6 +254,7 @@ class Tally:
         self.table = collections.defaultdict(collections.Counter)
         self.worst = collections.defaultdict(list)
         self.refusals, self.largest = collections.Counter(), {}
+        self.joints, self.over_a_tenth = collections.Counter(), collections.Counter()  # layouts with narrow and with wide joints
 
     def add(self, layout, faults, notes):
         key = (layout.get("bond", "?"), layout.get("field", "?"))
@@ -256,6 +263,9 @@ class Tally:
         self.stones += notes["stones"]
         self.wrong += bool(faults)
         row["layouts"] += 1
+        if "joints" in notes:
+            self.joints[notes["joints"]] += 1
+            self.over_a_tenth[notes["joints"]] += notes["over_a_tenth"]
         if "refused" in layout:
             row["refused"] += 1
             self.refusals[re.sub(r"[0-9.]+", "#", layout["refused"])] += 1
@@ -281,8 +291,15 @@ class Tally:
         for kind, worst in other.worst.items():
             self.worst[kind] = sorted(self.worst[kind] + worst, key=lambda w: (-w[0], w[1]))[:20]
         self.refusals.update(other.refusals)
+        self.joints.update(other.joints)
+        self.over_a_tenth.update(other.over_a_tenth)
         for key, value in other.largest.items():
             self.largest[key] = max(self.largest.get(key, (0.0, "")), value)
+
+    def is_sound(self):
+        # Of few layouts one may be over it; of a handful none.
+        few = {joints: 1 if count >= 50 else 0 for joints, count in self.joints.items()}
+        return self.wrong == 0 and all(self.over_a_tenth[j] <= max(most * self.joints[j], few.get(j, 0)) for j, most in MOST_OVER_A_TENTH.items())
 
     def report(self, scenes):
         columns = ("layouts", "refused", "empty") + KINDS
@@ -303,6 +320,9 @@ class Tally:
             for measure, number, shape, border, key, at, toml in self.worst[kind][:scenes]:
                 place = f" at ({at[0]:.1f}, {at[1]:.1f})" if at and kind == "bare" else ""
                 print(f"\n# {kind} {measure:.6g}{place}: number {number}, {key[0]}, {key[1]}, {shape}, border {border}\n{toml.strip()}")
+        for joints, most in MOST_OVER_A_TENTH.items():
+            print(f"\nbare discs over a tenth of the longer side in {self.over_a_tenth[joints]} of {self.joints[joints]} layouts with {joints} joints "
+                  f"(at most {most:.0%})", end="")
         print(f"\n{self.layouts} layouts of {self.stones} stones: " +
               ", ".join(f"{total[k]} {k}" for k in KINDS) + f"; {self.wrong} layouts wrong")
 
@@ -359,7 +379,7 @@ def spoilt(layout):
     yield "invalid", twin(k, stones[k]["outline_um"][::-1])
     far = Polygon(layout["outline_um"]).bounds[2] - shapes[k].bounds[0] - 50.0
     yield "outside", twin(k, [[round(x + far), y] for x, y in stones[k]["outline_um"]])
-    if field_stock(layout)[1]:  # two of those that differ may be no larger than one
+    if field_stock(layout)[1] and layout["bond"] != "ashlar":  # two of those that differ may be no larger than one
         hull = shapes[k].union(shapes[n]).convex_hull.exterior.coords[:-1]
         hull = [[round(x), round(y)] for x, y in hull]
         if twice_area(hull) < 0:
@@ -415,7 +435,7 @@ def main():
         tally = tally_of(sys.stdin)
     tally.report(options.worst)
     print(f"{time.time() - begin:.0f} s")
-    return 1 if tally.wrong else 0
+    return 0 if tally.is_sound() else 1
 
 
 if __name__ == "__main__":

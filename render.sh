@@ -29,7 +29,7 @@ wrong_usage() {
 
 # meant WORD NAME…: "; did you mean NAME?" for the one name that begins as the word does, but for its last two letters or more.
 meant() {
-  local word=$1 name found= least=0
+  local word=$1 name found='' least=0
   shift
   [[ $word != --* ]] || least=3
   while ((${#word} > least)); do

@@ -32,7 +32,7 @@ Stone block(double x, double y, double width, double height) {
 }
 
 // Growth is more than half a joint by a hairline of 0.01 mm, on either side of what is left bare.
-constexpr double hairlines = 0.02;
+constexpr double hairlines = 0.04;
 
 TEST(BareSpot, OfPlainRowsIsWhereAStoneIsMissing) {
   const Pavement paved = field(4320, 3240);  // 40 × 30 stones

@@ -226,7 +226,8 @@ TEST_F(Command, WrongUsageNamesTheWordAndWhatWasMeant) {
       {{"export", "s.toml", "-o", "out", "--size", "9x9"}, of_export + "\"--size\", an option of render"},
       {{"export", "s.toml", "-o", "out", "--frobnicate"}, of_export + "\"--frobnicate\""},
       {{"check", "s.toml", "--threads", "2"},
-       "shatterpave: check: expected an option of -h, --help, --set, --seed or --target, got \"--threads\", an option of render"},
+       "shatterpave: check: expected an option of -h, --help, --set, --seed or --target, got \"--threads\", an option of "
+       "render"},
       {{"export", "s.toml", "-o", "out", "--target", "jsn"},
        "shatterpave: --target: expected povray, json, svg, textures or obj, got \"jsn\"; did you mean json?"},
       {{"export", "s.toml", "-o", "out", "--target", "json,svg"},

@@ -317,7 +317,8 @@ class Drawer {
         if (kind == 3) d.append("C").append(at() + " " + at() + " " + at());
         if (kind == 4) d.append("Q").append(at() + " " + at());
         if (kind == 5)
-          d.append("A").append(between(10, 40) + " " + between(10, 40) + " 0 " + pick({"0", "1"}) + pick({" 0 ", " 1 "}) + at());
+          d.append("A").append(between(10, 40) + " " + between(10, 40) + " 0 " + pick({"0", "1"}) + pick({" 0 ", " 1 "}) +
+                               at());
       }
       if (!one_in(3)) d += "Z";
     }
@@ -350,7 +351,8 @@ class Drawer {
   }
 
   std::string element(int depth) {
-    if (depth > 2 || !one_in(3)) return shape();
+    // What the box of a group is, librsvg decides in its own way: boxes are asked of shapes alone.
+    if (depth > 2 || boxed_ || !one_in(3)) return shape();
     const std::string content = element(depth + 1) + (one_in(2) ? element(depth + 1) : "");
     switch (number(4)) {
       case 0:
@@ -375,7 +377,7 @@ class Drawer {
 };
 
 TEST_F(SvgRendering, WhatIsDrawnAtRandom) {
-  constexpr std::uint64_t drawings = 200;
+  constexpr std::uint64_t drawings = 150;
   int filled = 0;
   for (std::uint64_t seed = 1; seed <= drawings; ++seed) {
     const std::string text = Drawer(seed).document();
@@ -384,7 +386,7 @@ TEST_F(SvgRendering, WhatIsDrawnAtRandom) {
     EXPECT_LE(found, most_difference) << "seed " << seed << ": " << text;
     if (!plan.shapes.empty()) ++filled;
   }
-  EXPECT_GT(filled, 160);
+  EXPECT_GT(filled, 120);
 }
 
 // The twin: with the other fill rule, or without clip paths, the same comparison fails.

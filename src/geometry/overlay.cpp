@@ -19,12 +19,12 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-constexpr std::size_t outside = Overlay::outside;
+constexpr std::size_t unbounded = Overlay::outside;
 
 // ---- crossings and pixels
 
 // numerator / denominator to the nearest whole number, halves up; denominator > 0.
-std::int64_t rounded_quotient(Wide numerator, Wide denominator) {
+std::int64_t nearest_quotient(Wide numerator, Wide denominator) {
   const Wide doubled = 2 * numerator + denominator;
   Wide quotient = doubled / (2 * denominator);
   if (doubled < 0 && quotient * 2 * denominator != doubled) --quotient;
@@ -43,7 +43,7 @@ LatticePoint crossing(const Segment& s, const Segment& t) {
     along = -along;
     whole = -whole;
   }
-  return {s.a.x + rounded_quotient(along * (s.b.x - s.a.x), whole), s.a.y + rounded_quotient(along * (s.b.y - s.a.y), whole)};
+  return {s.a.x + nearest_quotient(along * (s.b.x - s.a.x), whole), s.a.y + nearest_quotient(along * (s.b.y - s.a.y), whole)};
 }
 
 // A place on a segment as a fraction of it; denominator > 0.
@@ -172,7 +172,15 @@ struct Noded {
   std::vector<Run> runs;  // in order of sides, then layers; none of 0 times
 };
 
-Noded noded(std::span<const Layer> layers) {
+// A side of a layer, from its lesser end.
+struct Step {
+  LatticePoint a;
+  LatticePoint b;
+  std::uint32_t layer = 0;
+  int times = 0;  // 1 where the layer runs from a to b, else −1
+};
+
+std::vector<Segment> sides_of_layers(std::span<const Layer> layers) {
   std::vector<Segment> segments;
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     for (const Polygon& ring : layers[layer]) {
@@ -182,12 +190,11 @@ Noded noded(std::span<const Layer> layers) {
       }
     }
   }
-  struct Step {
-    LatticePoint a;  // a < b
-    LatticePoint b;
-    std::uint32_t layer = 0;
-    int times = 0;
-  };
+  return segments;
+}
+
+// In order of their ends and layers.
+std::vector<Step> steps_of(std::span<const Segment> segments) {
   std::vector<Step> steps;
   const auto ways = bent(segments);
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -198,8 +205,12 @@ Noded noded(std::span<const Layer> layers) {
   }
   std::ranges::sort(steps,
                     [](const Step& p, const Step& q) { return std::tie(p.a, p.b, p.layer) < std::tie(q.a, q.b, q.layer); });
+  return steps;
+}
+
+Noded noded_sides(std::span<const Layer> layers) {
   Noded result;
-  for (const Step& step : steps) {
+  for (const Step& step : steps_of(sides_of_layers(layers))) {
     if (result.sides.empty() || result.sides.back().a != step.a || result.sides.back().b != step.b) {
       result.sides.push_back({step.a, step.b});
     }
@@ -216,7 +227,7 @@ Noded noded(std::span<const Layer> layers) {
 // ---- faces and what covers them
 
 std::vector<std::array<std::size_t, 2>> faces_beside(std::size_t sides, std::span<const Face> faces) {
-  std::vector<std::array<std::size_t, 2>> beside(sides, {outside, outside});
+  std::vector<std::array<std::size_t, 2>> beside(sides, {unbounded, unbounded});
   const auto note = [&](const FaceRing& ring, std::size_t face) {
     for (const FaceSide& side : ring) beside[side.segment][side.forward ? 0 : 1] = face;
   };
@@ -252,39 +263,57 @@ Windings across(const Windings& from, std::span<const Run> runs, int sign) {
   return result;
 }
 
+// Winding numbers of all faces, from the outside inwards, side by side.
+class Covering {
+ public:
+  Covering(const Overlay& map, const std::vector<Run>& runs)
+      : map_(map),
+        runs_(runs),
+        first_(map.sides.size() + 1, 0),
+        reached_(map.faces.size(), false),
+        windings_(map.faces.size()) {
+    for (const Run& run : runs) ++first_[run.side + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
+
+  std::vector<Windings> windings() && {
+    std::vector<std::vector<std::size_t>> sides_of(map_.faces.size());
+    for (std::size_t s = 0; s < map_.sides.size(); ++s) {
+      const auto [left, right] = map_.beside[s];
+      if (left == right) continue;
+      if (left != unbounded) sides_of[left].push_back(s);
+      if (right != unbounded) sides_of[right].push_back(s);
+      if (left == unbounded || right == unbounded) cross_from(unbounded, s);
+    }
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      const std::size_t face = order_[k];
+      for (const std::size_t s : sides_of[face]) cross_from(face, s);
+    }
+    return std::move(windings_);
+  }
+
+ private:
+  void cross_from(std::size_t face, std::size_t side) {
+    const bool on_right = map_.beside[side][1] == face;
+    const std::size_t to = map_.beside[side][on_right ? 0 : 1];
+    if (to == unbounded || reached_[to]) return;
+    reached_[to] = true;
+    const std::span<const Run> runs{runs_.data() + first_[side], first_[side + 1] - first_[side]};
+    windings_[to] = across(face == unbounded ? Windings{} : windings_[face], runs, on_right ? 1 : -1);
+    order_.push_back(to);
+  }
+
+  const Overlay& map_;
+  const std::vector<Run>& runs_;
+  std::vector<std::size_t> first_;  // run of each side
+  std::vector<bool> reached_;
+  std::vector<std::size_t> order_;  // in which faces were reached
+  std::vector<Windings> windings_;
+};
+
 std::vector<std::vector<std::uint32_t>> covers(const Overlay& map, const std::vector<Run>& runs) {
-  std::vector<std::size_t> first(map.sides.size() + 1, 0);
-  for (const Run& run : runs) ++first[run.side + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  // From the outside inwards, side by side.
-  std::vector<std::vector<std::size_t>> sides_of(map.faces.size());
-  std::vector<std::size_t> reached_by(map.faces.size(), outside);
-  std::vector<std::size_t> order;
-  std::vector<Windings> windings(map.faces.size());
-  const auto enter = [&](std::size_t side, std::size_t to, const Windings& from, int sign) {
-    if (to == outside || reached_by[to] != outside) return;
-    reached_by[to] = side;
-    windings[to] = across(from, {runs.data() + first[side], first[side + 1] - first[side]}, sign);
-    order.push_back(to);
-  };
-  for (std::size_t s = 0; s < map.sides.size(); ++s) {
-    for (const std::size_t face : map.beside[s]) {
-      if (face != outside) sides_of[face].push_back(s);
-    }
-  }
-  for (std::size_t s = 0; s < map.sides.size(); ++s) {
-    if (map.beside[s][1] == outside) enter(s, map.beside[s][0], {}, 1);
-    if (map.beside[s][0] == outside) enter(s, map.beside[s][1], {}, -1);
-  }
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const std::size_t face = order[k];
-    for (const std::size_t s : sides_of[face]) {
-      if (map.beside[s][0] == map.beside[s][1]) continue;
-      const bool on_right = map.beside[s][1] == face;
-      enter(s, map.beside[s][on_right ? 0 : 1], windings[face], on_right ? 1 : -1);
-    }
-  }
   std::vector<std::vector<std::uint32_t>> covered_by(map.faces.size());
+  const std::vector<Windings> windings = Covering(map, runs).windings();
   for (std::size_t f = 0; f < map.faces.size(); ++f) {
     for (const auto& [layer, times] : windings[f]) covered_by[f].push_back(layer);
   }
@@ -311,23 +340,66 @@ class FaceSets {
 FaceSets sets_of(const Overlay& map, std::span<const std::uint32_t> label) {
   FaceSets sets(map.faces.size());
   for (const auto& [left, right] : map.beside) {
-    if (left != outside && right != outside && label[left] == label[right]) sets.join(left, right);
+    if (left != unbounded && right != unbounded && label[left] == label[right]) sets.join(left, right);
   }
   return sets;
 }
 
 double length_mm(const Segment& s) { return glm::length(to_mm(s.b) - to_mm(s.a)); }
 
-Polygon polygon_of(const FaceRing& ring) {
+Polygon ring_polygon(const FaceRing& ring) {
   Polygon polygon;
   for (const FaceSide& side : ring) polygon.push_back(to_mm(side.from));
   return polygon;
 }
 
+// What sets of faces measure.
+struct SetMeasures {
+  std::map<std::size_t, double> area_mm2;
+  std::map<std::size_t, double> border_mm;
+  std::map<std::pair<std::size_t, std::size_t>, double> shared_mm;  // of two sets, both ways
+};
+
+SetMeasures measures_of(const Overlay& map, FaceSets& sets) {
+  SetMeasures result;
+  for (std::size_t f = 0; f < map.faces.size(); ++f) {
+    result.area_mm2[sets.of(f)] += 0.5e-6 * static_cast<double>(doubled_area(map.faces[f]));
+  }
+  for (std::size_t s = 0; s < map.sides.size(); ++s) {
+    const auto [left, right] = map.beside[s];
+    const std::size_t a = left == unbounded ? unbounded : sets.of(left);
+    const std::size_t b = right == unbounded ? unbounded : sets.of(right);
+    if (a == b) continue;
+    const double length = length_mm(map.sides[s]);
+    if (a != unbounded) result.border_mm[a] += length;
+    if (b != unbounded) result.border_mm[b] += length;
+    if (a == unbounded || b == unbounded) continue;
+    result.shared_mm[{a, b}] += length;
+    result.shared_mm[{b, a}] += length;
+  }
+  return result;
+}
+
+// The set that takes a sliver: of the larger ones beside it, so that no two take each other, that with most of its border.
+std::optional<std::size_t> taker_of(std::size_t sliver, SetMeasures& measures, std::span<const std::uint32_t> label,
+                                    std::uint32_t fixed) {
+  const auto rank = [&](std::size_t set) { return std::pair(measures.area_mm2[set], set); };
+  std::optional<std::size_t> taker;
+  double most = 0.0;
+  for (auto pair = measures.shared_mm.lower_bound({sliver, 0}); pair != measures.shared_mm.end(); ++pair) {
+    const auto [own, other] = pair->first;
+    if (own != sliver) break;
+    if (label[other] == fixed || pair->second <= most || rank(other) < rank(sliver)) continue;
+    most = pair->second;
+    taker = other;
+  }
+  return taker;
+}
+
 }  // namespace
 
 Overlay overlay(std::span<const Layer> layers) {
-  Noded nodes = noded(layers);
+  Noded nodes = noded_sides(layers);
   Overlay map;
   map.sides = std::move(nodes.sides);
   map.faces = faces(map.sides);
@@ -342,7 +414,7 @@ std::vector<LabelledRegion> labelled_regions(const Overlay& map, std::span<const
   std::vector<std::size_t> side_of;
   for (std::size_t s = 0; s < map.sides.size(); ++s) {
     const auto [left, right] = map.beside[s];
-    if (left == right || (left != outside && right != outside && sets.of(left) == sets.of(right))) continue;
+    if (left == right || (left != unbounded && right != unbounded && sets.of(left) == sets.of(right))) continue;
     borders.push_back(map.sides[s]);
     side_of.push_back(s);
   }
@@ -350,11 +422,11 @@ std::vector<LabelledRegion> labelled_regions(const Overlay& map, std::span<const
   for (const Face& face : faces(borders)) {
     const FaceSide& one = face.outline.front();
     const std::size_t inside = map.beside[side_of[one.segment]][one.forward ? 0 : 1];
-    ENSURE(inside != outside);
+    ENSURE(inside != unbounded);
     LabelledRegion& part = result.emplace_back();
     part.label = label[inside];
-    part.region.outline = polygon_of(face.outline);
-    for (const FaceRing& hole : face.holes) part.region.holes.push_back(polygon_of(hole));
+    part.region.outline = ring_polygon(face.outline);
+    for (const FaceRing& hole : face.holes) part.region.holes.push_back(ring_polygon(hole));
   }
   return result;
 }
@@ -362,35 +434,11 @@ std::vector<LabelledRegion> labelled_regions(const Overlay& map, std::span<const
 std::vector<std::uint32_t> without_slivers(const Overlay& map, std::vector<std::uint32_t> label, double width_mm,
                                            std::uint32_t fixed) {
   FaceSets sets = sets_of(map, label);
-  std::map<std::size_t, double> area;    // of a set
-  std::map<std::size_t, double> border;  // of a set
-  std::map<std::pair<std::size_t, std::size_t>, double> shared;
-  for (std::size_t f = 0; f < map.faces.size(); ++f) {
-    area[sets.of(f)] += 0.5e-6 * static_cast<double>(doubled_area(map.faces[f]));
-  }
-  for (std::size_t s = 0; s < map.sides.size(); ++s) {
-    const auto [left, right] = map.beside[s];
-    const std::size_t a = left == outside ? outside : sets.of(left);
-    const std::size_t b = right == outside ? outside : sets.of(right);
-    if (a == b) continue;
-    if (a != outside) border[a] += length_mm(map.sides[s]);
-    if (b != outside) border[b] += length_mm(map.sides[s]);
-    if (a == outside || b == outside) continue;
-    shared[{a, b}] += length_mm(map.sides[s]);
-    shared[{b, a}] += length_mm(map.sides[s]);
-  }
-  // A set is taken by a larger one, so that no two take each other.
-  const auto rank = [&](std::size_t set) { return std::pair(area[set], set); };
+  SetMeasures measures = measures_of(map, sets);
   std::map<std::size_t, std::size_t> taker;
-  for (const auto& [set, size] : area) {
-    if (label[set] == fixed || size >= 0.5 * border[set] * width_mm) continue;
-    double most = 0.0;
-    for (auto pair = shared.lower_bound({set, 0}); pair != shared.end() && pair->first.first == set; ++pair) {
-      const std::size_t other = pair->first.second;
-      if (label[other] == fixed || pair->second <= most || rank(other) < rank(set)) continue;
-      most = pair->second;
-      taker[set] = other;
-    }
+  for (const auto& [set, size] : measures.area_mm2) {
+    if (label[set] == fixed || size >= 0.5 * measures.border_mm[set] * width_mm) continue;
+    if (const auto takes = taker_of(set, measures, label, fixed)) taker[set] = *takes;
   }
   const std::vector<std::uint32_t> before = label;
   for (std::size_t f = 0; f < map.faces.size(); ++f) {

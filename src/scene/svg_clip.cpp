@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "scene/plan_areas.h"
 #include "scene/svg_css.h"
@@ -126,6 +127,21 @@ SvgReader::Regions SvgReader::clip_regions(const pugi::xml_node& clip, const Aff
   return within(all, clip_regions(outer, to_mm, viewport, depth + 1));
 }
 
+SvgReader::Regions SvgReader::clip_shape(const pugi::xml_node& shape, const pugi::xml_node& ruled_by, const Affine& to_mm,
+                                         vec2 viewport) {
+  Outliner outliner(to_mm, svg_tolerance_mm);
+  outline_element(shape, local_name(shape), lengths_of(shape, viewport), outliner);
+  std::vector<Ring> rings;
+  for (const Subpath& subpath : outliner.subpaths()) {
+    points_ += subpath.points.size();
+    rings.push_back({subpath.points, place_of(shape)});
+  }
+  if (points_ > most_vertices) throw SvgError(fmt::format("at most {} points in all, got more", most_vertices));
+  std::string_view rule = value(shape, "clip-rule");
+  if (rule.empty()) rule = inherited_value(ruled_by, "clip-rule");
+  return drawn_regions(rings, rule == "evenodd" ? FillRule::evenodd : FillRule::nonzero);
+}
+
 SvgReader::Regions SvgReader::clip_child(const pugi::xml_node& child, const pugi::xml_node& ruled_by, const Affine& to_mm,
                                          vec2 viewport, int depth) {
   const std::string_view name = local_name(child);
@@ -143,18 +159,14 @@ SvgReader::Regions SvgReader::clip_child(const pugi::xml_node& child, const pugi
     placed = placed.after({1, 0, 0, 1, lengths.x("x"), lengths.y("y")});
     regions = clip_child(target, child, placed, viewport, depth);
   } else if (is_shape_name(name)) {
-    Outliner outliner(placed, svg_tolerance_mm);
-    outline_element(child, name, lengths_of(child, viewport), outliner);
-    std::vector<Ring> rings;
-    for (const Subpath& subpath : outliner.subpaths()) {
-      points_ += subpath.points.size();
-      rings.push_back({subpath.points, place_of(child)});
-    }
-    if (points_ > most_vertices) throw SvgError(fmt::format("at most {} points in all, got more", most_vertices));
-    std::string_view rule = value(child, "clip-rule");
-    if (rule.empty()) rule = inherited_value(ruled_by, "clip-rule");
-    regions = drawn_regions(rings, rule == "evenodd" ? FillRule::evenodd : FillRule::nonzero);
+    regions = clip_shape(child, ruled_by, placed, viewport);
   }
+  return clipped_child(child, std::move(regions), placed, viewport, depth);
+}
+
+// What the clip path of a child of a clip path leaves of it.
+SvgReader::Regions SvgReader::clipped_child(const pugi::xml_node& child, Regions regions, const Affine& to_mm, vec2 viewport,
+                                            int depth) {
   const std::string own(value(child, "clip-path"));
   if (regions.empty() || is_none(own)) return regions;
   const pugi::xml_node inner = own.starts_with("url(") ? node_of_url(own) : pugi::xml_node();
@@ -162,7 +174,7 @@ SvgReader::Regions SvgReader::clip_child(const pugi::xml_node& child, const pugi
   if (std::string_view(inner.attribute("clipPathUnits").value()) == "objectBoundingBox") {
     throw SvgError("a clip path in user units on parts of a clip path, got one in units of their box");
   }
-  return within(regions, clip_regions(inner, placed, viewport, depth + 1));
+  return within(regions, clip_regions(inner, to_mm, viewport, depth + 1));
 }
 
 }  // namespace shatterpave::scene

@@ -33,7 +33,7 @@ bool is_valid(std::string_view property, std::string_view value) {
   return true;
 }
 
-bool is_name_character(char c) {
+bool is_css_name_character(char c) {
   return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-' || static_cast<unsigned char>(c) >= 0x80 || c == '\\';
 }
 
@@ -96,7 +96,7 @@ class SelectorReader {
 
   std::string name() {
     std::string result;
-    while (at_ < text_.size() && is_name_character(text_[at_])) {
+    while (at_ < text_.size() && is_css_name_character(text_[at_])) {
       if (text_[at_] != '\\') {
         result += text_[at_++];
         continue;
@@ -122,7 +122,7 @@ class SelectorReader {
     if (next() == '*') {
       ++at_;
       conditions.push_back({Kind::element, "*", "", '\0', false});
-    } else if (is_name_character(next())) {
+    } else if (is_css_name_character(next())) {
       conditions.push_back({Kind::element, name(), "", '\0', false});
     }
     if (next() == '|') {  // the namespace is not looked at

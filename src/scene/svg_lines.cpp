@@ -19,17 +19,14 @@ class Places {
  public:
   Places(const Ends& ends, double tolerance_mm) : place_(ends.size()) {
     std::iota(place_.begin(), place_.end(), std::size_t{0});
-    std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> cells;
+    Cells cells;
     const auto cell_of = [&](vec2 p) { return std::pair{std::llround(p.x / tolerance_mm), std::llround(p.y / tolerance_mm)}; };
     for (std::size_t i = 0; i < ends.size(); ++i) {
       const auto [column, row] = cell_of(ends[i]);
       for (std::int64_t c = column - 1; c <= column + 1; ++c) {
         for (std::int64_t r = row - 1; r <= row + 1; ++r) {
           const auto found = cells.find({c, r});
-          if (found == cells.end()) continue;
-          for (const std::size_t other : found->second) {
-            if (glm::distance(ends[i], ends[other]) <= tolerance_mm) place_[root(i)] = root(other);
-          }
+          if (found != cells.end()) join(i, found->second, ends, tolerance_mm);
         }
       }
       // Of ends in one point the first stands for all; in a crowd some do.
@@ -43,6 +40,15 @@ class Places {
   std::size_t operator[](std::size_t end) { return root(end); }
 
  private:
+  using Cells = std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>>;
+
+  // An end to those of the others that are near.
+  void join(std::size_t end, const std::vector<std::size_t>& others, const Ends& ends, double tolerance_mm) {
+    for (const std::size_t other : others) {
+      if (glm::distance(ends[end], ends[other]) <= tolerance_mm) place_[root(end)] = root(other);
+    }
+  }
+
   std::size_t root(std::size_t i) {
     while (place_[i] != i) i = place_[i] = place_[place_[i]];
     return i;

@@ -98,26 +98,28 @@ Place SvgReader::place_of(const pugi::xml_node& node) const {
 
 void SvgReader::read_styles(const pugi::xml_node& svg) {
   for (pugi::xml_node node = svg; node;) {
-    if (node.type() == pugi::node_element && local_name(node) == "style") {
-      const std::string type = lower_case(trimmed(node.attribute("type").value()));
-      const auto applies = css_media_apply(node.attribute("media").value());
-      std::string css;
-      for (const pugi::xml_node& child : node.children()) css += child.value();
-      try {
-        if (!applies) throw SvgError("a style sheet that does not depend on the screen, got one that does");
-        if ((type.empty() || type == "text/css") && *applies && styles_.add(css)) {
-          add_note({place_of(node), "the style sheet that @import names is not loaded"}, plan_.notes);
-        }
-      } catch (const SvgError& error) {
-        throw InputError(place_of(node), fmt::format("expected {}", error.what()));
-      }
-    }
+    if (node.type() == pugi::node_element && local_name(node) == "style") add_style(node);
     if (node.first_child()) {
       node = node.first_child();
       continue;
     }
     while (node && node != svg && !node.next_sibling()) node = node.parent();
     node = node == svg ? pugi::xml_node() : node.next_sibling();
+  }
+}
+
+void SvgReader::add_style(const pugi::xml_node& style) {
+  const std::string type = lower_case(trimmed(style.attribute("type").value()));
+  const auto applies = css_media_apply(style.attribute("media").value());
+  std::string css;
+  for (const pugi::xml_node& child : style.children()) css += child.value();
+  try {
+    if (!applies) throw SvgError("a style sheet that does not depend on the screen, got one that does");
+    if ((type.empty() || type == "text/css") && *applies && styles_.add(css)) {
+      add_note({place_of(style), "the style sheet that @import names is not loaded"}, plan_.notes);
+    }
+  } catch (const SvgError& error) {
+    throw InputError(place_of(style), fmt::format("expected {}", error.what()));
   }
 }
 
@@ -286,12 +288,12 @@ void SvgReader::add(const pugi::xml_node& node, std::string_view name, const Svg
   if (!outliner.subpaths().empty()) add_areas(outliner.subpaths(), place_of(node), inherited);
 }
 
-void SvgReader::add_areas(const std::vector<Subpath>& subpaths, const Place& place, const SvgInherited& inherited) {
-  const std::size_t feature = *inherited.group;
+// Keeps those subpaths that do not end where they start as lines, and adds to the rings of the areas. Returns the shapes of the
+// lines whose ends are apart; nothing where all subpaths are closed.
+std::optional<std::vector<std::size_t>> SvgReader::add_lines(const std::vector<Subpath>& subpaths, const Place& place,
+                                                             const SvgInherited& inherited, PlanShape& closed,
+                                                             PlanShape& filled) {
   const double tolerance = join_tolerance_mm(scale_);
-  PlanShape closed{.kind = ShapeKind::area, .filling = inherited.fill_rule, .feature = feature};
-  PlanShape filled = closed;
-  filled.asked_for = AskedFor::areas_alone;
   std::vector<std::size_t> lines;
   bool all_closed = true;
   for (const Subpath& subpath : subpaths) {
@@ -300,7 +302,7 @@ void SvgReader::add_areas(const std::vector<Subpath>& subpaths, const Place& pla
     const Ending ending = ending_of(subpath, tolerance);
     if (ending != Ending::closed) {
       all_closed = false;
-      PlanShape line{.kind = ShapeKind::line, .rings = {ring}, .feature = feature};
+      PlanShape line{.kind = ShapeKind::line, .rings = {ring}, .feature = *inherited.group};
       if (ending == Ending::nearly) line.asked_for = AskedFor::lines_alone;
       const std::size_t shape = keep(std::move(line));
       if (ending == Ending::open) lines.push_back(shape);
@@ -309,7 +311,16 @@ void SvgReader::add_areas(const std::vector<Subpath>& subpaths, const Place& pla
     if (ending != Ending::open) closed.rings.push_back(ring);
     if (ending != Ending::open || inherited.fill != SvgInherited::Fill::none) filled.rings.push_back(std::move(ring));
   }
-  if (all_closed) {
+  return all_closed ? std::nullopt : std::optional(std::move(lines));
+}
+
+void SvgReader::add_areas(const std::vector<Subpath>& subpaths, const Place& place, const SvgInherited& inherited) {
+  const std::size_t feature = *inherited.group;
+  PlanShape closed{.kind = ShapeKind::area, .filling = inherited.fill_rule, .feature = feature};
+  PlanShape filled = closed;
+  filled.asked_for = AskedFor::areas_alone;
+  const auto lines = add_lines(subpaths, place, inherited, closed, filled);
+  if (!lines) {
     if (!closed.rings.empty()) keep(std::move(closed));
     return;
   }
@@ -320,7 +331,7 @@ void SvgReader::add_areas(const std::vector<Subpath>& subpaths, const Place& pla
   const bool is_open = closed.rings.empty();
   if (!is_open) keep(std::move(closed));
   if (inherited.fill == SvgInherited::Fill::painted) return;
-  for (const std::size_t line : lines) {
+  for (const std::size_t line : *lines) {
     pieces_.push_back({plan_.features[feature].group, line, is_open ? area : std::nullopt});
   }
 }

@@ -50,6 +50,7 @@ class SvgReader {
   Lengths lengths_of(const pugi::xml_node& node, vec2 viewport) const { return {node, viewport, property_of_}; }
 
   void read_styles(const pugi::xml_node& svg);
+  void add_style(const pugi::xml_node& style);
   void visit_children(const pugi::xml_node& node, const SvgInherited& inherited);
   void visit_first(const pugi::xml_node& node, const SvgInherited& inherited);
   // `sized_by` is the `use` whose width and height a viewport takes, if one refers to it.
@@ -66,6 +67,8 @@ class SvgReader {
 
   // Shapes.
   void add(const pugi::xml_node& node, std::string_view name, const SvgInherited& inherited);
+  std::optional<std::vector<std::size_t>> add_lines(const std::vector<Subpath>& subpaths, const Place& place,
+                                                    const SvgInherited& inherited, PlanShape& closed, PlanShape& filled);
   void add_areas(const std::vector<Subpath>& subpaths, const Place& place, const SvgInherited& inherited);
   void add_unread(const pugi::xml_node& node, const SvgInherited& from_parent);
   std::size_t keep(PlanShape shape);
@@ -78,6 +81,8 @@ class SvgReader {
   Regions clip_regions(const pugi::xml_node& clip, const Affine& to_mm, vec2 viewport, int depth);
   Regions clip_child(const pugi::xml_node& child, const pugi::xml_node& ruled_by, const Affine& to_mm, vec2 viewport,
                      int depth);
+  Regions clip_shape(const pugi::xml_node& shape, const pugi::xml_node& ruled_by, const Affine& to_mm, vec2 viewport);
+  Regions clipped_child(const pugi::xml_node& child, Regions regions, const Affine& to_mm, vec2 viewport, int depth);
   Affine unit_box(const Affine& to_mm, std::size_t first) const;
   // The node that url(#id) names, if there is one.
   pugi::xml_node node_of_url(std::string_view url);

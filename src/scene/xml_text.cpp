@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 
 #include "core/error.h"
 #include "scene/input_file.h"
@@ -55,7 +56,7 @@ class Converter {
  public:
   Converter(const std::string& encoding, const std::string& file)
       : file_(file), handle_(::iconv_open("UTF-8", encoding.c_str())) {
-    if (handle_ != reinterpret_cast<iconv_t>(-1)) return;
+    if (reinterpret_cast<std::intptr_t>(handle_) != -1) return;
     throw InputError(
         Place{file, 1, 1, ""},
         fmt::format("expected an encoding that is known, such as UTF-8 or ISO-8859-1, got {}", in_quotes(encoding)));

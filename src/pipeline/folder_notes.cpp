@@ -105,9 +105,9 @@ FileSums outdated(const FolderNotes& notes, const Edition& edition, const FileSu
   const NotedSet* const earlier = set_of(notes, edition);
   if (earlier == nullptr || earlier->edition == edition) return {};
   FileSums result;
-  for (const auto& [name, sum] : earlier->files) {
-    const auto has_it = [&](const NotedSet& set) { return &set != earlier && set.files.contains(name); };
-    if (!files.contains(name) && std::ranges::none_of(notes, has_it)) result.emplace(name, sum);
+  for (const auto& file : earlier->files) {
+    const auto has_it = [&](const NotedSet& set) { return &set != earlier && set.files.contains(file.first); };
+    if (!files.contains(file.first) && std::ranges::none_of(notes, has_it)) result.insert(file);
   }
   return result;
 }

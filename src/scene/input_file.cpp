@@ -71,34 +71,38 @@ std::optional<std::string> content_of(std::istream& stream, std::size_t limit, s
   return stream.bad() ? std::nullopt : std::optional(std::move(text));
 }
 
+// Of a file that was asked for at a place, which may be in another file; then the message names this one.
+[[noreturn]] void refuse_file(const std::filesystem::path& file, const Place& place, std::string_view expected,
+                              std::string_view got) {
+  const std::string name = place.file == file.string() ? std::string() : ": " + file.string();
+  throw InputError(place, fmt::format("expected {}, got {}{}", expected, got, name));
+}
+
+constexpr std::size_t size_of_a_pipe = std::size_t{1} << 16;
+
+// As content_of, of a file by its name.
+std::optional<std::string> content_of_file(const std::filesystem::path& file, std::size_t limit, const Place& place) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) {
+    const bool missing = !error || error == std::errc::no_such_file_or_directory;
+    refuse_file(file, place, "a file", missing ? "none of that name" : error.message());
+  }
+  if (std::filesystem::is_directory(status)) refuse_file(file, place, "a file", "a folder");
+  const bool regular = std::filesystem::is_regular_file(status);
+  if (!regular && !std::filesystem::is_fifo(status)) refuse_file(file, place, "a regular file", "something else");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) refuse_file(file, place, "a file that can be read", "one that cannot be opened");
+  return content_of(stream, limit, regular ? static_cast<std::size_t>(std::filesystem::file_size(file)) : size_of_a_pipe);
+}
+
 }  // namespace
 
 std::string input_text(const std::filesystem::path& file, std::size_t limit, const Place& place) {
-  // The place may be in another file, which names this one.
-  const auto refuse = [&](std::string_view expected, std::string_view got) {
-    const std::string name = place.file == file.string() ? std::string() : ": " + file.string();
-    throw InputError(place, fmt::format("expected {}, got {}{}", expected, got, name));
-  };
-  constexpr std::size_t of_a_pipe = std::size_t{1} << 16;
-  std::optional<std::string> text;
-  if (file == "-") {
-    text = content_of(std::cin, limit, of_a_pipe);
-  } else {
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) {
-      const bool missing = !error || error == std::errc::no_such_file_or_directory;
-      refuse("a file", missing ? "none of that name" : error.message());
-    }
-    if (std::filesystem::is_directory(status)) refuse("a file", "a folder");
-    const bool regular = std::filesystem::is_regular_file(status);
-    if (!regular && !std::filesystem::is_fifo(status)) refuse("a regular file", "something else");
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) refuse("a file that can be read", "one that cannot be opened");
-    text = content_of(stream, limit, regular ? static_cast<std::size_t>(std::filesystem::file_size(file)) : of_a_pipe);
-  }
-  if (!text) refuse("a file that can be read", "an error while reading");
-  if (text->size() > limit) refuse(fmt::format("a file of at most {} MiB", limit >> 20), "a larger one");
+  std::optional<std::string> text =
+      file == "-" ? content_of(std::cin, limit, size_of_a_pipe) : content_of_file(file, limit, place);
+  if (!text) refuse_file(file, place, "a file that can be read", "an error while reading");
+  if (text->size() > limit) refuse_file(file, place, fmt::format("a file of at most {} MiB", limit >> 20), "a larger one");
   return *std::move(text);
 }
 

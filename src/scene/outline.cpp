@@ -192,13 +192,18 @@ std::optional<bool> lies_inside(const FilledRing& inner, const FilledRing& outer
   return inside.value_or(false);
 }
 
+std::vector<Polygon> polygons_of(const std::vector<FilledRing>& rings) {
+  std::vector<Polygon> polygons;
+  polygons.reserve(rings.size());
+  for (const FilledRing& ring : rings) polygons.push_back(ring.clean.points);
+  return polygons;
+}
+
 // Whether rings cross, or have stretches of edges in common, or touch themselves. They may lie in one another.
 bool rings_interfere(const std::vector<FilledRing>& rings) {
   // The test for regions, with an outline about all: which ring lies in which is not asked here.
   const double far = geometry::largest_coordinate_mm + 1.0;
-  std::vector<Polygon> holes;
-  for (const FilledRing& ring : rings) holes.push_back(ring.clean.points);
-  const auto fault = geometry::region_fault({{-far, -far}, {far, -far}, {far, far}, {-far, far}}, holes);
+  const auto fault = geometry::region_fault({{-far, -far}, {far, -far}, {far, far}, {-far, far}}, polygons_of(rings));
   return fault && fault->kind != RegionFault::Kind::holes_overlap;
 }
 
@@ -291,9 +296,7 @@ std::vector<Region> filled_at(const Place& place, Fill fill) {
 }
 
 std::vector<Region> filled_anew(const std::vector<FilledRing>& rings, FillRule rule) {
-  std::vector<Polygon> polygons;
-  for (const FilledRing& ring : rings) polygons.push_back(ring.clean.points);
-  return filled_at(rings.front().given->place, [&] { return geometry::filled(polygons, rule); });
+  return filled_at(rings.front().given->place, [&] { return geometry::filled(polygons_of(rings), rule); });
 }
 
 // An outline and its holes: all rings in this order, and the points of the holes once more.

@@ -23,7 +23,7 @@ constexpr double sliver_mm = 0.02;
 // A vertex where another tile ends on a side is rounded, and lies this near to the side at the most.
 constexpr double straight_mm = 0.0015;
 // A tile that keeps this much of its area is whole to the eye; by eye.
-constexpr double whole_share = 0.99;
+constexpr double whole_tile_share = 0.99;
 
 double distance_to_chord(vec2 from, vec2 to, vec2 p) {
   const vec2 d = to - from;
@@ -58,6 +58,12 @@ Polygon straightened(const Polygon& polygon) {
   return geometry::cleaned(kept);
 }
 
+// Straightened, or only cleaned where no simple polygon would be left.
+Polygon straightened_if_simple(const Polygon& outline) {
+  Polygon straight = straightened(outline);
+  return straight.size() < 3 || !geometry::is_simple(straight) ? geometry::cleaned(outline) : straight;
+}
+
 // Labels of the faces: the tile that keeps a face, `gap`, or `beyond` the region.
 struct Labels {
   std::uint32_t gap = 0;
@@ -77,10 +83,22 @@ Labels labels_of(const Overlay& map, std::size_t tiles) {
   return labels;
 }
 
+// For sides, by their ends, the tile that lies beside them.
+using TileBeside = std::map<std::pair<geometry::LatticePoint, geometry::LatticePoint>, std::uint32_t>;
+
+TileBeside tiles_beside_gaps(const Overlay& map, const Labels& labels) {
+  TileBeside beside;
+  for (std::size_t s = 0; s < map.sides.size(); ++s) {
+    const auto [left, right] = map.beside[s];
+    if (left == Overlay::outside || right == Overlay::outside) continue;
+    const auto [low, high] = std::minmax(labels.of_face[left], labels.of_face[right]);
+    if (high == labels.gap && low < labels.gap) beside[std::minmax(map.sides[s].a, map.sides[s].b)] = low;
+  }
+  return beside;
+}
+
 // The axis of the tile that shares most of the region's border.
-vec2 axis_beside(const Region& region,
-                 const std::map<std::pair<geometry::LatticePoint, geometry::LatticePoint>, std::uint32_t>& tile_beside,
-                 const std::vector<Tile>& tiles) {
+vec2 axis_beside(const Region& region, const TileBeside& tile_beside, const std::vector<Tile>& tiles) {
   std::map<std::uint32_t, double> shared;
   const auto count = [&](const Polygon& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -106,14 +124,7 @@ std::vector<Tile> parted(const std::vector<Tile>& tiles, const Region& region, W
   const Overlay map = geometry::overlay(layers);
   const Labels labels = labels_of(map, tiles.size());
 
-  std::map<std::pair<geometry::LatticePoint, geometry::LatticePoint>, std::uint32_t> tile_beside_gap;
-  for (std::size_t s = 0; s < map.sides.size(); ++s) {
-    const auto [left, right] = map.beside[s];
-    if (left == Overlay::outside || right == Overlay::outside) continue;
-    const auto [low, high] = std::minmax(labels.of_face[left], labels.of_face[right]);
-    if (high == labels.gap && low < labels.gap) tile_beside_gap[std::minmax(map.sides[s].a, map.sides[s].b)] = low;
-  }
-
+  const TileBeside tile_beside_gap = tiles_beside_gaps(map, labels);
   std::vector<geometry::LabelledRegion> parts = geometry::labelled_regions(map, labels.of_face);
   std::ranges::stable_sort(parts, {}, &geometry::LabelledRegion::label);
   std::vector<Tile> result;
@@ -121,10 +132,9 @@ std::vector<Tile> parted(const std::vector<Tile>& tiles, const Region& region, W
     if (label == labels.beyond || (wanted == Wanted::gaps && label != labels.gap)) continue;
     const bool gap = label == labels.gap;
     const vec2 axis = gap ? axis_beside(part, tile_beside_gap, tiles) : tiles[label].axis;
-    const bool whole = !gap && geometry::area(part) >= whole_share * geometry::area(tiles[label].outline_mm);
+    const bool whole = !gap && geometry::area(part) >= whole_tile_share * geometry::area(tiles[label].outline_mm);
     for (const Polygon& outline : without_holes(part)) {
-      Polygon straight = straightened(outline);
-      if (straight.size() < 3 || !geometry::is_simple(straight)) straight = geometry::cleaned(outline);
+      Polygon straight = straightened_if_simple(outline);
       if (!straight.empty()) result.push_back({std::move(straight), axis, !whole || !part.holes.empty()});
     }
   }

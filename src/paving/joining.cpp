@@ -308,14 +308,32 @@ class Joiner {
     return std::nullopt;
   }
 
+  void add_anew(Anew anew, std::size_t host, Joining& result) const {
+    ++result.cut_anew;
+    result.stoutness_mm = std::min(result.stoutness_mm, anew.stoutness_mm);
+    result.hollow_mm2 -= hollow_mm2(pieces_[host].outline_mm);
+    for (Polygon& cut : anew.parts) {
+      result.hollow_mm2 += hollow_mm2(cut);
+      result.falls_apart += bare_ends(cut, size_).empty() ? 0 : 1;
+      auto& list = &cut == anew.parts.data() ? result.grown : result.more;
+      list.push_back({host, std::move(cut), anew.axis});
+    }
+  }
+
+  // A straight neck is as wide as its joint is long; one that leans on it is narrower.
+  bool falls_apart(const Polygon& together, double shared_mm) const {
+    return (shared_mm < 4.0 * size_.joint_mm && faces_of(together, size_.joint_mm).size() > 1) ||
+           !bare_ends(together, size_).empty();
+  }
+
   // Each part joined to its host. Nothing if one cannot be, or if the stone would not fit the stock, not in halves either.
-  std::optional<Joining> joining(std::vector<Grown> parts, std::size_t small) const {
+  std::optional<Joining> joining(const std::vector<Grown>& parts, std::size_t small) const {
     Joining result;
     // Halves may be small where the piece was smaller by far.
     const double least_mm2 =
         std::min(least_piece * size_.whole_face_mm2,
                  less_small * std::max(face_area(pieces_[small].outline_mm), least_kept * size_.whole_face_mm2));
-    for (Grown& part : parts) {
+    for (const Grown& part : parts) {
       const Piece& host = pieces_[part.host];
       auto together = joined(part.outline_mm, host.outline_mm);
       if (!together) return std::nullopt;
@@ -324,22 +342,10 @@ class Joiner {
       if (!fits_stock(*together, host.axis)) {
         auto anew = cut_anew(*together, host.axis, least_mm2);
         if (!anew) return std::nullopt;
-        ++result.cut_anew;
-        result.stoutness_mm = std::min(result.stoutness_mm, anew->stoutness_mm);
-        result.hollow_mm2 -= hollow_mm2(host.outline_mm);
-        for (Polygon& cut : anew->parts) {
-          result.hollow_mm2 += hollow_mm2(cut);
-          result.falls_apart += bare_ends(cut, size_).empty() ? 0 : 1;
-          auto& list = &cut == anew->parts.data() ? result.grown : result.more;
-          list.push_back({part.host, std::move(cut), anew->axis});
-        }
+        add_anew(*std::move(anew), part.host, result);
         continue;
       }
-      // A straight neck is as wide as its joint is long; one that leans on it is narrower.
-      result.falls_apart += (shared_mm < 4.0 * size_.joint_mm && faces_of(*together, size_.joint_mm).size() > 1) ||
-                                    !bare_ends(*together, size_).empty()
-                                ? 1
-                                : 0;
+      result.falls_apart += falls_apart(*together, shared_mm) ? 1 : 0;
       result.hollow_mm2 += hollow_beside(*together, part.host, small) - hollow_beside(host.outline_mm, part.host, small);
       result.grown.push_back({part.host, std::move(*together), host.axis});
     }
@@ -354,15 +360,15 @@ class Joiner {
       return std::tuple(j.falls_apart, std::floor(j.hollow_mm2 / (least_hollow * size_.whole_face_mm2)), j.cut_anew > 0,
                         -j.stoutness_mm, -j.shared_mm);
     };
-    const auto consider = [&](std::vector<Grown> parts) {
-      auto candidate = joining(std::move(parts), small);
+    const auto consider = [&](const std::vector<Grown>& parts) {
+      auto candidate = joining(parts, small);
       if (candidate && (!best || rank(*candidate) < rank(*best))) best = std::move(candidate);
     };
     for (std::size_t t = 0; t < found.size(); ++t) {
       if (t == 0 || found[t].host != found[t - 1].host) consider({{found[t].host, outline, {}}});
     }
     for (const auto& row : rows_of(outline, found)) {
-      if (auto parts = shared_out(outline, row)) consider(std::move(*parts));
+      if (auto parts = shared_out(outline, row)) consider(*parts);
     }
     return best;
   }

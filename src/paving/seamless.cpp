@@ -24,10 +24,10 @@ using Matrix = glm::dmat2;
 
 constexpr double stones_to_a_tile = 10.0;
 constexpr std::int64_t most_periods = 400;  // along a side
-constexpr double most_stones = 1e6;
+constexpr double most_tile_stones = 1e6;
 
 // Of a member of the textures, for messages.
-Place place_of(const Pavement& pavement, std::string_view member) {
+Place texture_place(const Pavement& pavement, std::string_view member) {
   return {{}, 0, 0, fmt::format("{}.textures.{}", pavement.name, member)};
 }
 
@@ -117,13 +117,13 @@ Fit fit_of(const Pavement& pavement, const Repetition& repetition) {
   const auto width = fitting({1.0, 0.0}, wanted.x);
   const auto height = fitting({0.0, 1.0}, wanted.y);
   if (!width || !height) {
-    throw InputError(place_of(pavement, "seamless"),
+    throw InputError(texture_place(pavement, "seamless"),
                      "expected rows in a direction in which the bond repeats along x and y, such as 0, 45 "
                      "or 90 degrees, got one in which it does not");
   }
   const auto fit = fit_to(repetition, pavement.textures.tile_mm.value_or(vec2{*width, *height}));
   if (!fit) {
-    throw InputError(place_of(pavement, "tile_mm"),
+    throw InputError(texture_place(pavement, "tile_mm"),
                      fmt::format("expected a tile that whole periods of the bond fit, such as [{:.3f}, {:.3f}], "
                                  "got [{}, {}]",
                                  *width, *height, wanted.x, wanted.y));
@@ -156,19 +156,19 @@ std::vector<Step> class_points(const Fit& fit) {
 SeamlessTile seamless_tile(const Pavement& pavement, std::uint64_t seed) {
   const std::optional<Pattern> pattern = periodic_pattern(pavement);
   if (!pattern) {
-    throw InputError(place_of(pavement, "seamless"),
+    throw InputError(texture_place(pavement, "seamless"),
                      "expected a bond that repeats (not ashlar or crazy), and rows in one direction");
   }
   if (pavement.border.course != BorderCourse::none) {
-    throw InputError(place_of(pavement, "seamless"), "expected no border_course, since a tile has no border");
+    throw InputError(texture_place(pavement, "seamless"), "expected no border_course, since a tile has no border");
   }
   const vec2 along = pattern_direction(pavement).direction();
   const Repetition repetition = repetition_of(*pattern, along);
   const Fit fit = fit_of(pavement, repetition);
   const double count = static_cast<double>(fit.classes()) * static_cast<double>(pattern->tiles.size());
-  if (count > most_stones) {
-    throw InputError(place_of(pavement, "tile_mm"),
-                     fmt::format("expected a tile of at most {:.0f} stones, got {:.0f}", most_stones, count));
+  if (count > most_tile_stones) {
+    throw InputError(texture_place(pavement, "tile_mm"),
+                     fmt::format("expected a tile of at most {:.0f} stones, got {:.0f}", most_tile_stones, count));
   }
   SeamlessTile tile{fit.size_mm, {}};
   for (const Step& step : class_points(fit)) {

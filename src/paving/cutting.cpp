@@ -177,7 +177,8 @@ std::vector<Piece> without_bare_ends(std::vector<Piece> pieces, const StoneSize&
   for (std::size_t p = 0; p < count; ++p) {
     if (ends[p].empty()) continue;
     const std::vector<Region> left = geometry::difference(Region{pieces[p].outline_mm, {}}, ends[p]);
-    if (left.empty()) continue;
+    // An end that is cut off lies at the border of its piece, or it stays.
+    if (left.empty() || std::ranges::any_of(left, [](const Region& part) { return !part.holes.empty(); })) continue;
     const Piece piece = pieces[p];
     pieces[p].outline_mm = left.front().outline;
     for (std::size_t i = 1; i < left.size(); ++i) pieces.push_back({left[i].outline, piece.cell, true, piece.axis});
@@ -212,7 +213,7 @@ std::vector<Region> bare_ends(const Polygon& piece, const StoneSize& size) {
   }
   std::vector<Region> ends;
   for (Region& left : geometry::difference({piece, {}}, covered)) {
-    if (!geometry::offset(left, -0.5 * least_mm).empty()) ends.push_back(std::move(left));
+    if (left.holes.empty() && !geometry::offset(left, -0.5 * least_mm).empty()) ends.push_back(std::move(left));
   }
   return ends;
 }

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/random.h"
+#include "glass/counts.h"
 #include "scene/keys.h"
 
 namespace shatterpave::scene {
@@ -62,6 +64,9 @@ constexpr std::string_view beside_tempered = "beside glass = \"tempered\"";
 constexpr std::string_view beside_real = "beside pattern = \"real\"";
 constexpr std::string_view without_real = "without pattern = \"real\"";
 constexpr std::string_view beside_shards = "beside [pane.shards]";
+constexpr std::string_view without_ring_cracks = "without ring cracks: circular_count is 0, or radial_count too low for them";
+constexpr std::string_view beside_few_radials = "beside a radial_count up to circular_threshold";
+constexpr std::string_view beside_no_bevels = "beside bevel_mm = 0, which leaves edges sharp";
 constexpr std::string_view beside_preset_counts = "beside radial_count, mean_radial_count or preset";
 
 bool on_tempered(const PaneFacts& f) { return f.is_tempered(); }
@@ -79,12 +84,23 @@ bool with_large_counts(const PaneFacts& f) {
 bool with_ring_counts(const PaneFacts& f) {
   return f.all_impacts([](const Impact& i) { return i.circular_count.has_value(); });
 }
+// By what the scene says of counts. Where M is drawn, rings may start.
 bool without_ring_starts(const PaneFacts& f) {
-  return f.all_impacts([](const Impact& i) { return i.circular_count == 0; });
+  return std::ranges::all_of(f.pane.impacts, [&](const Impact& i) {
+    const bool is_known = i.circular_count || i.radial_count;
+    return is_known && glass::drawn_counts(i, f.pane.growth, 0, Id("impact")).circular_count == 0;
+  });
 }
+bool within_threshold(const PaneFacts& f) {
+  return std::ranges::all_of(f.pane.impacts, [&](const Impact& i) {
+    return i.circular_count || (i.radial_count && *i.radial_count <= f.pane.growth.circular_threshold);
+  });
+}
+bool is_hit_once(const PaneFacts& f) { return f.pane.impacts.size() == 1; }
 bool without_spread(const PaneFacts& f) { return f.pane.growth.spread_limit == 0.0; }
 bool without_rings(const PaneFacts& f) { return f.pane.rings.count == 0; }
 bool all_interrupted(const PaneFacts& f) { return f.pane.rings.interruption == 1.0; }
+bool without_bevels(const PaneFacts& f) { return f.pane.shards && f.pane.shards->bevel_mm == 0.0; }
 bool none_missing(const PaneFacts& f) { return f.pane.shards && f.pane.shards->missing == 0.0; }
 bool none_fallen(const PaneFacts& f) { return f.pane.shards && f.pane.shards->fallen == 0.0; }
 
@@ -105,25 +121,34 @@ const std::vector<Rule<PaneFacts>> pane_rules = {
     {"tempering", [](const PaneFacts& f) { return !f.is_tempered(); }, "without glass = \"tempered\""},
     {"crack_body", with_shards, beside_shards},
     {"crack_sheet", with_shards, beside_shards},
+    {"crack_sheet.depth", on_tempered, beside_tempered},
     {"growth.spread", without_spread, "beside spread_limit = 0"},
     {"growth.spread_deviation", without_spread, "beside spread_limit = 0"},
     {"growth.spread_deviation", [](const PaneFacts& f) { return f.pane.growth.spread == glass::Spread::uniform; },
      "beside spread = \"uniform\""},
     {"growth.circular_speed_px", on_real, beside_real},
+    {"growth.circular_speed_px", without_ring_starts, without_ring_cracks},
     {"growth.circular_threshold", on_real, beside_real},
     {"growth.circular_threshold", with_ring_counts, "beside circular_count or preset"},
     {"growth.circular_slope", on_real, beside_real},
     {"growth.circular_slope", with_ring_counts, "beside circular_count or preset"},
+    {"growth.circular_slope", within_threshold, beside_few_radials},
     {"growth.circular_offset", on_real, beside_real},
     {"growth.circular_offset", with_ring_counts, "beside circular_count or preset"},
+    {"growth.circular_offset", within_threshold, beside_few_radials},
     {"growth.ring_radius_slope_mm", on_real, beside_real},
-    {"growth.ring_radius_slope_mm", without_ring_starts, "beside circular_count = 0"},
+    {"growth.ring_radius_slope_mm", without_ring_starts, without_ring_cracks},
     {"growth.ring_radius_offset_mm", on_real, beside_real},
-    {"growth.ring_radius_offset_mm", without_ring_starts, "beside circular_count = 0"},
+    {"growth.ring_radius_offset_mm", without_ring_starts, without_ring_cracks},
     {"growth.ring_pull", on_real, beside_real},
-    {"growth.ring_pull", without_ring_starts, "beside circular_count = 0"},
+    {"growth.ring_pull", without_ring_starts, without_ring_cracks},
     {"growth.ring_onset", on_real, beside_real},
-    {"growth.ring_onset", without_ring_starts, "beside circular_count = 0"},
+    {"growth.ring_onset", without_ring_starts, without_ring_cracks},
+    // Radials do not see those of their own impact (see crack_before of growth.cpp).
+    {"growth.crack_gain_px2", [](const PaneFacts& f) { return is_hit_once(f) && f.is_real(); },
+     "beside pattern = \"real\" and a single impact"},
+    {"growth.crack_gain_px2", [](const PaneFacts& f) { return is_hit_once(f) && without_ring_starts(f); },
+     "on the radial cracks of a single impact"},
     {"growth.large_slope", with_large_counts, "beside large_count or preset"},
     {"growth.large_offset", with_large_counts, "beside large_count or preset"},
     {"growth.large_deviation", with_large_counts, "beside large_count or preset"},
@@ -158,6 +183,8 @@ const std::vector<Rule<PaneFacts>> pane_rules = {
      "beside chips_per_m = 0"},
     {"shards.chips_per_m", [](const PaneFacts& f) { return f.pane.shards && f.pane.shards->chip_mm == 0.0; },
      "beside chip_mm = 0"},
+    {"shards.chip_mm", without_bevels, beside_no_bevels},
+    {"shards.chips_per_m", without_bevels, beside_no_bevels},
     {"shards.missing_mm", none_missing, "beside missing = 0"},
     {"shards.throw_m_s", none_fallen, "beside fallen = 0"},
 };

@@ -24,7 +24,7 @@ step_length_px = 8
 
 inline const std::vector<Change> pane_changes = {
     {"pane[0].thickness_mm", "3", "4"},
-    {"pane[0].preset", "agui1992-fig15a", "agui1992-fig16d"},
+    {"pane[0].preset", "agui1992-fig14a", "agui1992-fig16d"},
     {"pane[0].glass", "annealed", "laminated"},
     {"pane[0].pattern", "agui1992", "real"},
     {"pane[0].crack_body", "cylinder", "sheet"},
@@ -128,7 +128,7 @@ inline const std::vector<Change> pavement_changes = {
     {"pavement[0].bond_offset", "0.2", "0.4"},
     {"pavement[0].bond_turn_deg", "10", "30"},
     {"pavement[0].bond_span_mm", "600", "900"},
-    {"pavement[0].border_course", "soldier", "stretcher"},
+    {"pavement[0].border_course", "none", "soldier"},
     {"pavement[0].border_stone_mm", "[80, 40]", "[60, 50]"},
     {"pavement[0].material", "granite", "brick"},
     {"pavement[0].joint_fill", "sand", "mortar"},

@@ -121,35 +121,48 @@ std::size_t choice_of(std::string_view text, std::string_view option, std::span<
   refuse_usage(option, listed(all, "or"), in_quotes(text) + did_you_mean(text, all));
 }
 
+namespace {
+
+const CLI::App& command_named(const CLI::App& app, const std::string& name) {
+  for (const CLI::App* known : commands(app)) {
+    if (known->get_name() == name) return *known;
+  }
+  refuse_command(app, name);
+}
+
+// How many words the option at `i` takes, with its value.
+std::size_t words_of_option(const CLI::App& app, const CLI::App& command, const Texts& words, std::size_t i) {
+  const OptionWord given = option_word(words[i]);
+  if (!is_option(command, given.name)) refuse_option(app, command, given.name);
+  const CLI::Option& option = *option_of(command, given.name);
+  if (option.get_items_expected_min() == 0) return 1;
+  require_value(command, option, given, i + 1 < words.size() ? std::optional(words[i + 1]) : std::nullopt);
+  return given.value ? 1 : 2;
+}
+
+}  // namespace
+
 void require_known_words(const CLI::App& app, const Texts& words) {
   if (words.empty()) refuse_command(app, "");
   if (is_option(app, words.front())) return;
-  const CLI::App* command = nullptr;
-  for (const CLI::App* known : commands(app)) {
-    if (known->get_name() == words.front()) command = known;
-  }
-  if (command == nullptr) refuse_command(app, words.front());
+  const CLI::App& command = command_named(app, words.front());
   Texts scenes;
   bool only_scenes = false;
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    const std::string& word = words[i];
-    if (word == "--" && !only_scenes) {
+  for (std::size_t i = 1; i < words.size();) {
+    const bool option = !only_scenes && words[i].size() > 1 && words[i].front() == '-';
+    if (option && words[i] != "--") {
+      i += words_of_option(app, command, words, i);
+      continue;
+    }
+    if (option) {
       only_scenes = true;
-      continue;
+    } else {
+      scenes.push_back(words[i]);
     }
-    if (only_scenes || word.size() < 2 || word.front() != '-') {
-      scenes.push_back(word);
-      continue;
-    }
-    const OptionWord given = option_word(word);
-    if (!is_option(*command, given.name)) refuse_option(app, *command, given.name);
-    const CLI::Option& option = *option_of(*command, given.name);
-    if (option.get_items_expected_min() == 0) continue;
-    require_value(*command, option, given, i + 1 < words.size() ? std::optional(words[i + 1]) : std::nullopt);
-    if (!given.value) ++i;
+    ++i;
   }
   if (scenes.size() < 2) return;
-  refuse_usage(command->get_name(), "one scene file",
+  refuse_usage(command.get_name(), "one scene file",
                fmt::format("{}: {} and {}", scenes.size(), in_quotes(scenes[0]), in_quotes(scenes[1])));
 }
 

@@ -146,7 +146,7 @@ std::vector<Region> OpenGround::ground(const Box& box) const {
 }
 
 std::vector<Region> OpenGround::open(const Box& box) const {
-  const std::vector<Region> parts = ground(box);
+  std::vector<Region> parts = ground(box);
   if (parts.empty()) return {};
   const Growth growth{0.5 * pavement_.joint_mm + hairline_mm, rules_};
   std::vector<std::size_t> near;

@@ -86,6 +86,16 @@ Finding joint_median(const LayoutFigures& f) {
           "joints"};
 }
 
+Finding bare_spot(const paving::Pavement& pavement, const LayoutFigures& f) {
+  return at_most("bare_spot", "Widest bare spot between stones grown by half a joint", "mm", widest_allowed_spot_mm(pavement),
+                 f.bare_spot_mm, f.stones, "stones");
+}
+
+Finding largest_stone(const LayoutFigures& f) {
+  return at_most("largest_stone", "Largest stone over its stock, in length, width or area", "%", most_of_stock,
+                 f.largest_limited_percent, f.limited, "stones");
+}
+
 std::vector<FindingOf> all_findings(const paving::Pavement& pavement) {
   using F = LayoutFigures;
   return {
@@ -109,10 +119,7 @@ std::vector<FindingOf> all_findings(const paving::Pavement& pavement) {
                         "stones");
       },
       [](const F& f) { return none("holes", "Places where a stone is missing", f.holes, f.stones); },
-      [&pavement](const F& f) {
-        return at_most("bare_spot", "Widest bare spot between stones grown by half a joint", "mm",
-                       widest_allowed_spot_mm(pavement), f.bare_spot_mm, f.stones, "stones");
-      },
+      [&pavement](const F& f) { return bare_spot(pavement, f); },
       [&pavement](const F& f) { return missing(pavement, f); },
       [](const F& f) {
         return at_least("joint_p5", "Width of joints over the asked one, 5th percentile", 100.0 - joint_tolerance,
@@ -131,10 +138,7 @@ std::vector<FindingOf> all_findings(const paving::Pavement& pavement) {
         return at_least("smallest_piece", "Smallest piece over a whole stone", least_smallest, f.smallest_percent, f.stones,
                         "stones");
       },
-      [](const F& f) {
-        return at_most("largest_stone", "Largest stone over its stock, in length, width or area", "%", most_of_stock,
-                       f.largest_limited_percent, f.limited, "stones");
-      },
+      largest_stone,
       [](const F& f) {
         return at_most("irregular_spots", "Spots of irregular stones, against twice the least that the field allows", "",
                        most_spots_to_least * f.field.least_spots(), static_cast<double>(f.irregular_spots), f.counted_stones,

@@ -28,14 +28,14 @@ OIIO::ImageSpec specification(const Raster& raster, RasterFormat format) {
   return spec;
 }
 
-constexpr std::size_t rows_at_once = 64;  // between two questions whether to stop
+constexpr std::size_t rows_between_asks = 64;  // between two questions whether to stop
 
 // Calls `part(begin, end)` for some rows after the others.
 template <class Part>
 bool all_rows(std::size_t height, const Part& part) {
-  for (std::size_t begin = 0; begin < height; begin += rows_at_once) {
+  for (std::size_t begin = 0; begin < height; begin += rows_between_asks) {
     stop_if_cancelled();
-    if (!part(begin, std::min(height, begin + rows_at_once))) return false;
+    if (!part(begin, std::min(height, begin + rows_between_asks))) return false;
   }
   return true;
 }

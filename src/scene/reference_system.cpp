@@ -201,25 +201,29 @@ bool has_plane(PJ_TYPE type) {
 }
 
 // Those that have the name, the more exactly the better; of them those with a plane, if there are any.
-std::vector<Object> by_name(const Session& session, std::string_view name) {
+std::vector<Object> called(const Session& session, std::string_view name, bool nearly) {
   constexpr std::size_t most = 100;
   constexpr std::array types = {PJ_TYPE_CRS};
   const ProjLibrary& proj = session.proj();
+  PJ_OBJ_LIST* list = proj.create_from_name(session.context(), nullptr, std::string(name).c_str(), types.data(), types.size(),
+                                            nearly ? 1 : 0, most, nullptr);
+  if (list == nullptr) return {};
   std::vector<Object> with_plane;
   std::vector<Object> others;
-  for (const bool nearly : {false, true}) {
-    PJ_OBJ_LIST* list = proj.create_from_name(session.context(), nullptr, std::string(name).c_str(), types.data(), types.size(),
-                                              nearly ? 1 : 0, most, nullptr);
-    const int count = list == nullptr ? 0 : proj.list_get_count(list);
-    for (int i = 0; i < count; ++i) {
-      Object found = session.object(proj.list_get(session.context(), list, i));
-      if (!found || (nearly && bare(proj.get_name(found.get())) != bare(name))) continue;
-      (has_plane(proj.get_type(found.get())) ? with_plane : others).push_back(std::move(found));
-    }
-    if (list != nullptr) proj.list_destroy(list);
-    if (!with_plane.empty() || !others.empty()) break;
+  const int count = proj.list_get_count(list);
+  for (int i = 0; i < count; ++i) {
+    Object found = session.object(proj.list_get(session.context(), list, i));
+    if (!found || (nearly && bare(proj.get_name(found.get())) != bare(name))) continue;
+    (has_plane(proj.get_type(found.get())) ? with_plane : others).push_back(std::move(found));
   }
+  proj.list_destroy(list);
   return with_plane.empty() ? std::move(others) : std::move(with_plane);
+}
+
+std::vector<Object> by_name(const Session& session, std::string_view name) {
+  std::vector<Object> found = called(session, name, false);
+  if (found.empty()) found = called(session, name, true);
+  return found;
 }
 
 // What the text may mean: one system, but for names.

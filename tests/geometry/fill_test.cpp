@@ -16,7 +16,7 @@
 namespace shatterpave::geometry {
 namespace {
 
-Polygon square(double x, double y, double size) { return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}; }
+Polygon square_ring(double x, double y, double size) { return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}; }
 Polygon backwards(Polygon ring) {
   std::ranges::reverse(ring);
   return ring;
@@ -28,13 +28,13 @@ double total_area(const std::vector<Region>& regions) {
 }
 
 TEST(Fill, FollowsTheRules) {
-  EXPECT_EQ(total_area(filled({square(0, 0, 10), square(5, 0, 10)}, FillRule::nonzero)), 150.0);
-  EXPECT_EQ(total_area(filled({square(0, 0, 10), square(5, 0, 10)}, FillRule::evenodd)), 100.0);
-  EXPECT_EQ(total_area(filled({square(0, 0, 10), backwards(square(5, 0, 10))}, FillRule::nonzero)), 100.0);
+  EXPECT_EQ(total_area(filled({square_ring(0, 0, 10), square_ring(5, 0, 10)}, FillRule::nonzero)), 150.0);
+  EXPECT_EQ(total_area(filled({square_ring(0, 0, 10), square_ring(5, 0, 10)}, FillRule::evenodd)), 100.0);
+  EXPECT_EQ(total_area(filled({square_ring(0, 0, 10), backwards(square_ring(5, 0, 10))}, FillRule::nonzero)), 100.0);
   // Twice the same, and the same there and back.
-  EXPECT_EQ(total_area(filled({square(0, 0, 10), square(0, 0, 10)}, FillRule::nonzero)), 100.0);
-  EXPECT_TRUE(filled({square(0, 0, 10), square(0, 0, 10)}, FillRule::evenodd).empty());
-  EXPECT_TRUE(filled({square(0, 0, 10), backwards(square(0, 0, 10))}, FillRule::nonzero).empty());
+  EXPECT_EQ(total_area(filled({square_ring(0, 0, 10), square_ring(0, 0, 10)}, FillRule::nonzero)), 100.0);
+  EXPECT_TRUE(filled({square_ring(0, 0, 10), square_ring(0, 0, 10)}, FillRule::evenodd).empty());
+  EXPECT_TRUE(filled({square_ring(0, 0, 10), backwards(square_ring(0, 0, 10))}, FillRule::nonzero).empty());
   EXPECT_TRUE(filled({}, FillRule::nonzero).empty());
 }
 
@@ -48,13 +48,13 @@ TEST(Fill, PinchedRingsSpikesAndKeyholes) {
   EXPECT_EQ(area(pinched[0]), 45.0);
   // A spike inwards is no cut.
   EXPECT_EQ(filled({{{0, 0}, {10, 0}, {10, 10}, {5, 10}, {5, 3}, {5, 10}, {0, 10}}}, FillRule::evenodd),
-            filled({square(0, 0, 10)}, FillRule::evenodd));
+            filled({square_ring(0, 0, 10)}, FillRule::evenodd));
   // A keyhole: out along a bridge to a hole, and back along it.
   const auto keyhole =
       filled({{{0, 0}, {5, 0}, {5, 4}, {4, 4}, {4, 6}, {6, 6}, {6, 4}, {5, 4}, {5, 0}, {10, 0}, {10, 10}, {0, 10}}},
              FillRule::nonzero);
   ASSERT_EQ(keyhole.size(), 1U);
-  EXPECT_EQ(keyhole[0].outline, square(0, 0, 10));
+  EXPECT_EQ(keyhole[0].outline, square_ring(0, 0, 10));
   EXPECT_EQ(keyhole[0].holes.size(), 1U);
 }
 
@@ -68,23 +68,23 @@ TEST(Fill, SidesThatMissEachOtherByAMicrometreAreSnapped) {
 }
 
 TEST(Fill, WithoutHolesThatLieAnyhow) {
-  const Polygon outline = square(0, 0, 10);
+  const Polygon outline = square_ring(0, 0, 10);
   const auto left = [&](const std::vector<Polygon>& holes) {
     return total_area(filled_without(outline, holes, FillRule::evenodd));
   };
-  EXPECT_EQ(left({square(0, 2, 2)}), 96.0);                   // along the outline
-  EXPECT_EQ(left({square(9, 2, 2)}), 98.0);                   // across it
-  EXPECT_EQ(left({square(2, 2, 2), square(3, 2, 2)}), 94.0);  // across each other
-  EXPECT_EQ(left({square(2, 2, 2), backwards(square(2, 2, 2))}), 96.0);
-  EXPECT_EQ(left({square(20, 2, 2), square(2, 2, 4), square(3, 3, 1)}), 84.0);  // outside; one in another
-  EXPECT_EQ(left({square(-1, -1, 12)}), 0.0);
+  EXPECT_EQ(left({square_ring(0, 2, 2)}), 96.0);                        // along the outline
+  EXPECT_EQ(left({square_ring(9, 2, 2)}), 98.0);                        // across it
+  EXPECT_EQ(left({square_ring(2, 2, 2), square_ring(3, 2, 2)}), 94.0);  // across each other
+  EXPECT_EQ(left({square_ring(2, 2, 2), backwards(square_ring(2, 2, 2))}), 96.0);
+  EXPECT_EQ(left({square_ring(20, 2, 2), square_ring(2, 2, 4), square_ring(3, 3, 1)}), 84.0);  // outside; one in another
+  EXPECT_EQ(left({square_ring(-1, -1, 12)}), 0.0);
   EXPECT_EQ(filled_without(outline, {{{4, -1}, {6, -1}, {6, 11}, {4, 11}}}, FillRule::evenodd).size(), 2U);
 }
 
 TEST(Fill, FaultlessRegionsStayAsTheyAre) {
   const std::vector<Region> sound = {{{{5, 5}, {0, 5}, {0, 0}, {5, 0}}, {}}};
   EXPECT_EQ(without_faults(sound), sound);
-  const auto mended = without_faults({{square(0, 0, 10), {backwards(square(0, 2, 2))}}});
+  const auto mended = without_faults({{square_ring(0, 0, 10), {backwards(square_ring(0, 2, 2))}}});
   ASSERT_EQ(mended.size(), 1U);
   EXPECT_EQ(area(mended[0]), 96.0);
 }

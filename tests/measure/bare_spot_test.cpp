@@ -87,8 +87,9 @@ TEST(BareSpot, IsAsWideAsASearchFinds) {
     for (int i = 0; i < 12; ++i) {
       for (int j = 0; j < 9; ++j) {
         const auto draw = [&](std::uint32_t n) {
-          return std::round(20.0 *
-                            uniform(seed, {Stream::packing, Id("block").child(static_cast<std::uint64_t>(12 * j + i)), n}));
+          return std::round(
+              20.0 * uniform(seed, {Stream::packing,
+                                    Id("block").child(12 * static_cast<std::uint64_t>(j) + static_cast<std::uint64_t>(i)), n}));
         };
         if (draw(9) == 0.0) continue;
         const vec2 low{100.0 * i + 5.0 + draw(0), 100.0 * j + 5.0 + draw(1)};

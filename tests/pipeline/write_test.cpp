@@ -51,14 +51,14 @@ class Writing : public testing::Test {
 };
 
 using Files = std::map<std::string, std::string>;
-const Edition first{"s", "export", "1"};
-const Edition second{"s", "export", "2"};
+const Edition first_edition{"s", "export", "1"};
+const Edition second_edition{"s", "export", "2"};
 
 TEST_F(Writing, MakesFoldersAndReplacesFiles) {
-  const Published out = written({{"a.txt", "1"}, {"b.txt", "2"}}, first, root / "x/y");
+  const Published out = written({{"a.txt", "1"}, {"b.txt", "2"}}, first_edition, root / "x/y");
   EXPECT_EQ(out.paths, (std::vector<fs::path>{root / "x/y/a.txt", root / "x/y/b.txt"}));
   EXPECT_EQ(files(), (Files{{"x", "folder"}, {"x/y", "folder"}, {"x/y/a.txt", "1"}, {"x/y/b.txt", "2"}}));
-  written({{"b.txt", "3"}}, first, root / "x/y");
+  written({{"b.txt", "3"}}, first_edition, root / "x/y");
   EXPECT_EQ(files(), (Files{{"x", "folder"}, {"x/y", "folder"}, {"x/y/a.txt", "1"}, {"x/y/b.txt", "3"}}));
 }
 
@@ -69,7 +69,7 @@ TEST_F(Writing, InterruptedLeavesEverythingAsItWas) {
   for (int allowed = 0; last == 0; ++allowed) {
     int asked = 0;
     try {
-      written({{"a.txt", "new"}, {"b.txt", "new"}}, first, root, [&] { return asked++ >= allowed; });
+      written({{"a.txt", "new"}, {"b.txt", "new"}}, first_edition, root, [&] { return asked++ >= allowed; });
       last = allowed;
     } catch (const Interrupted&) {
       ASSERT_EQ(content(), before) << "stopped at question " << allowed;
@@ -77,7 +77,7 @@ TEST_F(Writing, InterruptedLeavesEverythingAsItWas) {
   }
   EXPECT_GE(last, 3);
   EXPECT_EQ(files(), (Files{{"a.txt", "new"}, {"b.txt", "new"}}));
-  EXPECT_THROW(written({{"a.txt", "new"}}, first, root / "made/here", [] { return true; }), Interrupted);
+  EXPECT_THROW(written({{"a.txt", "new"}}, first_edition, root / "made/here", [] { return true; }), Interrupted);
   EXPECT_EQ(files(), (Files{{"a.txt", "new"}, {"b.txt", "new"}}));
 }
 
@@ -88,7 +88,7 @@ TEST_F(Writing, SetsOfLargeFilesStopInTheMiddleInThreads) {
                                    parallel_for(100000, [&](std::size_t) { ++begun; });
                                    write_file(fs::path(folder) / "a.bin", "x");
                                  }};
-  EXPECT_THROW(written_outputs({{}, {large}}, first, root, [&] { return begun > 100; }), Interrupted);
+  EXPECT_THROW(written_outputs({{}, {large}}, first_edition, root, [&] { return begun > 100; }), Interrupted);
   EXPECT_LT(begun, 1000);
   EXPECT_EQ(content(), Files());
 }
@@ -97,15 +97,15 @@ TEST_F(Writing, FailureInTheMiddlePutsBackWhatWasThere) {
   write_file(root / "a.txt", "old");
   fs::create_directory(root / "c.txt");  // in the way of the third file
   const Files before = content();
-  EXPECT_THROW(written({{"a.txt", "new"}, {"b.txt", "new"}, {"c.txt", "new"}}, first, root), InputError);
+  EXPECT_THROW(written({{"a.txt", "new"}, {"b.txt", "new"}, {"c.txt", "new"}}, first_edition, root), InputError);
   EXPECT_EQ(content(), before);
 }
 
 TEST_F(Writing, FileInPlaceOfTheFolderIsWrongInput) {
   write_file(root / "file", "x");
   const Files before = content();
-  EXPECT_THROW(written({{"a.txt", "1"}}, first, root / "file"), InputError);
-  EXPECT_THROW(written({{"a.txt", "1"}}, first, root / "file/below"), InputError);
+  EXPECT_THROW(written({{"a.txt", "1"}}, first_edition, root / "file"), InputError);
+  EXPECT_THROW(written({{"a.txt", "1"}}, first_edition, root / "file/below"), InputError);
   EXPECT_EQ(content(), before);
 }
 
@@ -119,12 +119,14 @@ TEST_F(Writing, LinkToNothingInPlaceOfTheFolderIsWrongInput) {
   // A way up from a linked folder is one from where the link leads.
   fs::create_directory(root / "there/in");
   fs::create_symlink(root / "there/in", root / "deep");
-  written({{"a.txt", "1"}}, first, root / "deep/../out");
+  written({{"a.txt", "1"}}, first_edition, root / "deep/../out");
   EXPECT_TRUE(fs::exists(root / "there/out/a.txt"));
   EXPECT_FALSE(fs::exists(root / "out"));
 }
 
-TEST_F(Writing, FolderThatCannotBeMadeIsWrongInput) { EXPECT_THROW(written({{"a.txt", "1"}}, first, "/proc/foo"), InputError); }
+TEST_F(Writing, FolderThatCannotBeMadeIsWrongInput) {
+  EXPECT_THROW(written({{"a.txt", "1"}}, first_edition, "/proc/foo"), InputError);
+}
 
 TEST_F(Writing, FullDiskIsAnErrorOfTheSystem) {
   EXPECT_THROW(write_file("/dev/full", "x"), fs::filesystem_error);
@@ -140,17 +142,17 @@ TEST_F(Writing, SumIsThatOfTheFile) {
 // --- Sets ---
 
 TEST_F(Writing, FilesOfOneStateStandSideBySide) {
-  written({{"s.json", "1"}}, first, root);
-  const Published out = written({{"s.svg", "1"}}, first, root);
+  written({{"s.json", "1"}}, first_edition, root);
+  const Published out = written({{"s.svg", "1"}}, first_edition, root);
   EXPECT_TRUE(out.removed.empty());
   EXPECT_EQ(files(), (Files{{"s.json", "1"}, {"s.svg", "1"}}));
 }
 
 TEST_F(Writing, FilesOfAnEarlierStateGo) {
-  written({{"s.json", "1"}, {"s.svg", "1"}, {"s.obj", "1"}}, first, root);
+  written({{"s.json", "1"}, {"s.svg", "1"}, {"s.obj", "1"}}, first_edition, root);
   write_file(root / "s.obj", "changed by hand");
   write_file(root / "mine.svg", "x");
-  const Published out = written({{"s.json", "2"}}, second, root);
+  const Published out = written({{"s.json", "2"}}, second_edition, root);
   EXPECT_EQ(out.removed, std::vector<std::string>{"s.svg"});
   EXPECT_EQ(out.left, std::vector<std::string>{"s.obj"});
   EXPECT_EQ(files(), (Files{{"s.json", "2"}, {"s.obj", "changed by hand"}, {"mine.svg", "x"}}));
@@ -194,17 +196,17 @@ TEST_F(Writing, FilesOfAnotherSceneAreNotReplaced) {
 // A scene of its name, wherever its file lies, replaces its own, as does one in a folder without notes.
 TEST_F(Writing, FilesOfItsOwnAndOfNobodyAreReplaced) {
   write_file(root / "s.json", "old");
-  written({{"s.json", "1"}}, first, root);
-  written({{"s.json", "2"}}, second, root);
+  written({{"s.json", "1"}}, first_edition, root);
+  written({{"s.json", "2"}}, second_edition, root);
   fs::remove(root / notes_file);
   written({{"s.json", "3"}}, {"other", "export", "1"}, root);
   EXPECT_EQ(files(), (Files{{"s.json", "3"}}));
 }
 
 TEST_F(Writing, NotesAreTheSameForTheSameFiles) {
-  written({{"s.json", "1"}}, first, root / "a");
-  written({{"s.svg", "1"}}, first, root / "a");
-  written({{"s.svg", "1"}, {"s.json", "1"}}, first, root / "b");
+  written({{"s.json", "1"}}, first_edition, root / "a");
+  written({{"s.svg", "1"}}, first_edition, root / "a");
+  written({{"s.svg", "1"}, {"s.json", "1"}}, first_edition, root / "b");
   EXPECT_EQ(content().at("a/.scenes.shatterpave"), content().at("b/.scenes.shatterpave"));
   EXPECT_EQ(content().at("a/.scenes.shatterpave").find(root.string()), std::string::npos);
 }
@@ -212,7 +214,7 @@ TEST_F(Writing, NotesAreTheSameForTheSameFiles) {
 TEST_F(Writing, NotesOfSomebodyElseAreWrongInput) {
   write_file(root / notes_file, "{}");
   const Files before = content();
-  EXPECT_THROW(written({{"s.json", "1"}}, first, root), InputError);
+  EXPECT_THROW(written({{"s.json", "1"}}, first_edition, root), InputError);
   EXPECT_EQ(content(), before);
 }
 

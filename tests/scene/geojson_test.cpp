@@ -82,7 +82,7 @@ class GeoJsonFile : public testing::Test {
 std::string rectangle(double x, double y, double width, double height) {
   return fmt::format("[[{0},{1}],[{2},{1}],[{2},{3}],[{0},{3}],[{0},{1}]]", x, y, x + width, y + height);
 }
-std::string polygon(const std::string& ring, const std::string& members = "") {
+std::string polygon_geometry(const std::string& ring, const std::string& members = "") {
   return fmt::format(R"({{"type":"Polygon",{}"coordinates":[{}]}})", members, ring);
 }
 std::string feature(const std::string& geometry, const std::string& properties = "{}", const std::string& members = "") {
@@ -126,26 +126,27 @@ TEST_F(GeoJsonFile, CrsInEveryPlaceAndForm) {
            R"({"name":"e","semi_major_axis":6378137,"inverse_flattening":298.257223563}},"coordinate_system":{"subtype":)"
            R"("ellipsoidal","axis":[{"name":"Longitude","abbreviation":"lon","direction":"east","unit":"degree"},)"
            R"({"name":"Latitude","abbreviation":"lat","direction":"north","unit":"degree"}]}},)")}) {
-    expect_size(size(polygon(in_degrees, crs)), 20.0, 12.0, crs);
-    expect_size(size(collection({feature(polygon(in_degrees))}, crs)), 20.0, 12.0, crs);
-    expect_size(size(collection({feature(polygon(in_degrees, crs))})), 20.0, 12.0, crs);
-    expect_size(size(collection({feature(polygon(in_degrees), "{}", crs)})), 20.0, 12.0, crs);
+    expect_size(size(polygon_geometry(in_degrees, crs)), 20.0, 12.0, crs);
+    expect_size(size(collection({feature(polygon_geometry(in_degrees))}, crs)), 20.0, 12.0, crs);
+    expect_size(size(collection({feature(polygon_geometry(in_degrees, crs))})), 20.0, 12.0, crs);
+    expect_size(size(collection({feature(polygon_geometry(in_degrees), "{}", crs)})), 20.0, 12.0, crs);
   }
   const std::string feet = rectangle(6'000'000.0, 2'100'000.0, 65.616667, 39.37);
-  expect_size(size(polygon(feet, crs_name("urn:ogc:def:crs:EPSG::2227"))), 20.0, 12.0, "US survey feet");
-  expect_size(size(polygon(feet, crs_name("urn:ogc:def:crs:EPSG::2227")), "outline_units = \"us_survey_feet\"\n"), 20.0, 12.0,
-              "both");
-  expect_size(size(polygon(feet), "outline_units = \"us_survey_feet\"\n"), 20.0, 12.0, "by the key");
-  expect_size(size(polygon(rectangle(0, 0, 1000, 500)), "outline_units = \"feet\"\n"), 304.8, 152.4, "feet");
-  expect_size(size(polygon(rectangle(5'000'000, 5'000'000, 1000, 500), crs_name("EPSG:6559"))), 304.8, 152.4, "Oregon");
+  expect_size(size(polygon_geometry(feet, crs_name("urn:ogc:def:crs:EPSG::2227"))), 20.0, 12.0, "US survey feet");
+  expect_size(size(polygon_geometry(feet, crs_name("urn:ogc:def:crs:EPSG::2227")), "outline_units = \"us_survey_feet\"\n"),
+              20.0, 12.0, "both");
+  expect_size(size(polygon_geometry(feet), "outline_units = \"us_survey_feet\"\n"), 20.0, 12.0, "by the key");
+  expect_size(size(polygon_geometry(rectangle(0, 0, 1000, 500)), "outline_units = \"feet\"\n"), 304.8, 152.4, "feet");
+  expect_size(size(polygon_geometry(rectangle(5'000'000, 5'000'000, 1000, 500), crs_name("EPSG:6559"))), 304.8, 152.4,
+              "Oregon");
   const std::string grads = "[[10,55.555555556],[10.000309944,55.555555556],[10.000309944,55.555675422],[10,55.555675422]]";
-  const vec2 of_grads = size(polygon(grads, crs_name("EPSG:4807")));
+  const vec2 of_grads = size(polygon_geometry(grads, crs_name("EPSG:4807")));
   EXPECT_NEAR(of_grads.x, 20'000.0, 10.0);  // of Clarke's ellipsoid of 1880: 0.1 ‰ of another size
   EXPECT_NEAR(of_grads.y, 12'000.0, 10.0);
 }
 
 TEST_F(GeoJsonFile, FeetMoveToTheirMiddleInWholeFeet) {
-  write(polygon(rectangle(6'000'000.0, 2'100'000.0, 10, 10), crs_name("EPSG:2227")));
+  write(polygon_geometry(rectangle(6'000'000.0, 2'100'000.0, 10, 10), crs_name("EPSG:2227")));
   const geometry::Box box = geometry::bounding_box(scene().pavements[0].area.outline);
   EXPECT_NEAR(box.low.x, -5 * 304.8006, 0.01);
   EXPECT_NEAR(box.high.y, 5 * 304.8006, 0.01);
@@ -154,7 +155,7 @@ TEST_F(GeoJsonFile, FeetMoveToTheirMiddleInWholeFeet) {
 // A triangle with its right angle at the second point, in systems whose axes run south and west.
 TEST_F(GeoJsonFile, NorthIsUpWhateverTheAxes) {
   const auto corners = [&](const std::string& ring, const std::string& crs) {
-    write(polygon(ring, crs_name(crs)));
+    write(polygon_geometry(ring, crs_name(crs)));
     geometry::Polygon p = scene().pavements.at(0).area.outline;
     const geometry::Box box = geometry::bounding_box(p);
     for (vec2& corner : p) corner = geometry::on_lattice(corner - box.low);
@@ -171,18 +172,18 @@ TEST_F(GeoJsonFile, NorthIsUpWhateverTheAxes) {
 }
 
 TEST_F(GeoJsonFile, MapsThatAreOffAreToldOrRefused) {
-  const std::string plate = polygon(rectangle(1'200'000.0, 6'679'169.0, 40, 24), crs_name("EPSG:4087"));
+  const std::string plate = polygon_geometry(rectangle(1'200'000.0, 6'679'169.0, 40, 24), crs_name("EPSG:4087"));
   EXPECT_EQ(
       error(plate),
       "a.geojson: crs: expected a reference system that keeps lengths, such as EPSG:4326 or UTM, got \"EPSG:4087\", a map on "
       "which lengths are 1.00 to 1.99 times those on the ground at this place; set outline_units to say what its numbers are");
   expect_size(size(plate, "outline_units = \"metres\"\n"), 40.0, 24.0, "stated");
-  const std::string europe = polygon(rectangle(4'000'000.0, 2'800'000.0, 40, 24), crs_name("EPSG:3034"));
+  const std::string europe = polygon_geometry(rectangle(4'000'000.0, 2'800'000.0, 40, 24), crs_name("EPSG:3034"));
   expect_size(size(europe), 40.0, 24.0, "Lambert's map of Europe");
   ASSERT_EQ(notes(europe).size(), 1U);
   EXPECT_TRUE(
       notes(europe)[0].starts_with("a.geojson: crs: note: the file names \"EPSG:3034\", a map on which lengths are 0.9"));
-  EXPECT_TRUE(notes(polygon(rectangle(391'000, 5'812'000, 40, 24), crs_name("EPSG:25833"))).empty());
+  EXPECT_TRUE(notes(polygon_geometry(rectangle(391'000, 5'812'000, 40, 24), crs_name("EPSG:25833"))).empty());
 }
 
 TEST_F(GeoJsonFile, CrsThatKeepsNoLengthsIsRefused) {
@@ -193,32 +194,34 @@ TEST_F(GeoJsonFile, CrsThatKeepsNoLengthsIsRefused) {
         std::string(R"("crs":{"type":"EPSG","properties":{"code":3857}},)"),
         std::string(R"("spatialReference":{"wkid":102100},)"), crs_name("http://www.opengis.net/def/crs/EPSG/0/3857")}) {
     for (const char* lines : {"", "outline_units = \"metres\"\n"}) {
-      const std::string found = error(polygon(far, crs), lines);
+      const std::string found = error(polygon_geometry(far, crs), lines);
       EXPECT_TRUE(found.starts_with(wanted)) << crs << ": " << found;
       EXPECT_TRUE(found.ends_with("a Mercator projection, in which lengths grow with latitude: twice too long at 60°"))
           << found;
     }
   }
-  EXPECT_EQ(error(polygon(far, crs_name("urn:mine:42"))),
+  EXPECT_EQ(error(polygon_geometry(far, crs_name("urn:mine:42"))),
             wanted + "\"urn:mine:42\", which PROJ does not know; set outline_units to say what its numbers are");
-  expect_size(size(polygon(far, crs_name("urn:mine:42")), "outline_units = \"metres\"\n"), 40.0, 24.0, "unknown");
-  EXPECT_EQ(error(polygon(far, crs_name("EPSG:4978"))),
+  expect_size(size(polygon_geometry(far, crs_name("urn:mine:42")), "outline_units = \"metres\"\n"), 40.0, 24.0, "unknown");
+  EXPECT_EQ(error(polygon_geometry(far, crs_name("EPSG:4978"))),
             wanted + "\"WGS 84\", which is geocentric: its x, y and z run from the middle of the Earth");
-  EXPECT_EQ(error(polygon(far, R"("crs":{"type":"name"},)")),
+  EXPECT_EQ(error(polygon_geometry(far, R"("crs":{"type":"name"},)")),
             "a.geojson: crs: expected a reference system by name, code or link, got an object");
-  EXPECT_EQ(
-      error(collection({feature(polygon(far, crs_name("EPSG:25833"))), feature(polygon(in_degrees))}), "outline_feature = 0\n"),
-      "a.geojson: features[1].geometry.coordinates: expected one reference system for all shapes, got none beside "
-      "\"EPSG:25833\"");
-  EXPECT_EQ(error(collection({feature(polygon(far, crs_name("EPSG:25833"))), feature(polygon(far, crs_name("EPSG:25832")))}),
+  EXPECT_EQ(error(collection({feature(polygon_geometry(far, crs_name("EPSG:25833"))), feature(polygon_geometry(in_degrees))}),
+                  "outline_feature = 0\n"),
+            "a.geojson: features[1].geometry.coordinates: expected one reference system for all shapes, got none beside "
+            "\"EPSG:25833\"");
+  EXPECT_EQ(error(collection({feature(polygon_geometry(far, crs_name("EPSG:25833"))),
+                              feature(polygon_geometry(far, crs_name("EPSG:25832")))}),
                   "outline_feature = 0\n"),
             "a.geojson: features[0].geometry.coordinates: expected one reference system for all shapes, got \"EPSG:25833\" "
             "beside \"EPSG:25832\"");
   // Degrees are degrees.
-  expect_size(size(collection({feature(polygon(in_degrees, crs_name("EPSG:4258"))), feature(polygon(in_degrees))},
-                              crs_name("urn:ogc:def:crs:OGC:1.3:CRS84")),
-                   "outline_feature = 0\n"),
-              20.0, 12.0, "two");
+  expect_size(
+      size(collection({feature(polygon_geometry(in_degrees, crs_name("EPSG:4258"))), feature(polygon_geometry(in_degrees))},
+                      crs_name("urn:ogc:def:crs:OGC:1.3:CRS84")),
+           "outline_feature = 0\n"),
+      20.0, 12.0, "two");
 }
 
 TEST_F(GeoJsonFile, LongitudesCountModulo360) {
@@ -231,7 +234,7 @@ TEST_F(GeoJsonFile, LongitudesCountModulo360) {
   for (const double turn : {0.0, 360.0, -360.0, 720.0}) {
     for (const char* lines : {"", "outline_units = \"degrees\"\n"}) {
       if (std::abs(turn) > 100.0 && turn != 360.0 && *lines == '\0') continue;  // beyond 360 no one would guess degrees
-      const vec2 found = size(polygon(across(-179.9 + turn, -179.9 + turn + width)), lines);
+      const vec2 found = size(polygon_geometry(across(-179.9 + turn, -179.9 + turn + width)), lines);
       EXPECT_NEAR(found.x, 20'000.0, 5.0) << turn;
       EXPECT_NEAR(found.y, 12'000.0, 5.0) << turn;
     }
@@ -239,16 +242,16 @@ TEST_F(GeoJsonFile, LongitudesCountModulo360) {
   // Across the antimeridian, counted on or not.
   for (const auto& [from, to] :
        std::vector<std::pair<double, double>>{{179.9995, 180.0005}, {179.9995, -179.9995}, {-180.0005, 179.9995 - 359.999}}) {
-    const vec2 found = size(polygon(across(from, to)), "outline_units = \"degrees\"\n");
+    const vec2 found = size(polygon_geometry(across(from, to)), "outline_units = \"degrees\"\n");
     EXPECT_NEAR(found.x, 105'896.0, 20.0) << from;
   }
   EXPECT_EQ(
-      error(polygon("[[180.1,-91],[180.1001,-91],[180.1001,-90.9999]]"), "outline_units = \"degrees\"\n"),
+      error(polygon_geometry("[[180.1,-91],[180.1001,-91],[180.1001,-90.9999]]"), "outline_units = \"degrees\"\n"),
       "a.geojson: coordinates[0]: expected longitudes, which count modulo 360, and latitudes from -90 to 90, got (180.1, -91)");
-  EXPECT_EQ(error(polygon("[[1e9,0],[1e9,1],[1000000001,1]]"), "outline_units = \"degrees\"\n").substr(0, 62),
+  EXPECT_EQ(error(polygon_geometry("[[1e9,0],[1e9,1],[1000000001,1]]"), "outline_units = \"degrees\"\n").substr(0, 62),
             "a.geojson: coordinates[0]: expected longitudes, which count mo");
   // A place of 300 × 80 m in metres of its own stays one, though its numbers could be degrees counted on.
-  expect_size(size(polygon("[[20,5],[320,5],[320,85],[20,85]]")), 300.0, 80.0, "metres");
+  expect_size(size(polygon_geometry("[[20,5],[320,5],[320,85],[20,85]]")), 300.0, 80.0, "metres");
 }
 
 const std::string square = "[[0,0],[300,0],[300,300],[0,300],[0,0]]";
@@ -257,11 +260,11 @@ const std::string lone = "[[600,0],[700,0]]";
 
 TEST_F(GeoJsonFile, OneBadFeatureDoesNotTakeItsClassWithIt) {
   const std::string paved = R"({"class":"paved"})";
-  const std::string text =
-      collection({feature(polygon(square), paved, R"("id":"good",)"), feature(polygon(lone), paved, R"("id":"bad",)"),
-                  feature(R"({"type":"Polygon","coordinates":[[[0,0],[1,"x"],[1,1]]]})", paved, R"("id":"torn",)"),
-                  feature(R"({"type":"Polygon"})", paved, R"("id":"bare",)"),
-                  R"({"type":"Feature","id":"none","properties":{"class":"paved"}})", "7", "null"});
+  const std::string text = collection(
+      {feature(polygon_geometry(square), paved, R"("id":"good",)"), feature(polygon_geometry(lone), paved, R"("id":"bad",)"),
+       feature(R"({"type":"Polygon","coordinates":[[[0,0],[1,"x"],[1,1]]]})", paved, R"("id":"torn",)"),
+       feature(R"({"type":"Polygon"})", paved, R"("id":"bare",)"),
+       R"({"type":"Feature","id":"none","properties":{"class":"paved"}})", "7", "null"});
   EXPECT_NEAR(area(text, "outline_class = \"paved\"\n"), 90'000.0, 1e-6);
   EXPECT_NEAR(area(text, "outline_feature = \"good\"\n"), 90'000.0, 1e-6);
   EXPECT_EQ(notes(text, "outline_class = \"paved\"\n"),
@@ -280,20 +283,22 @@ TEST_F(GeoJsonFile, OneBadFeatureDoesNotTakeItsClassWithIt) {
             "a.geojson: features[2].geometry.coordinates[0][1]: expected a position [x, y], got [1, \"x\"]");
   EXPECT_EQ(error(text, "outline_feature = \"none\"\n"), "a.geojson: features[4].geometry: expected a geometry, got none");
   // Nothing sound at all is an error.
-  EXPECT_EQ(error(collection({feature(polygon(lone), paved), feature(polygon(lone), paved)}), "outline_class = \"paved\"\n"),
+  EXPECT_EQ(error(collection({feature(polygon_geometry(lone), paved), feature(polygon_geometry(lone), paved)}),
+                  "outline_class = \"paved\"\n"),
             "a.geojson: features[0].geometry.coordinates[0]: expected 3 or more distinct points, got 2");
   // Of degrees, a latitude that there is not; as holes; as guides.
   const std::string beyond = collection(
-      {feature(polygon(in_degrees), paved), feature(polygon("[[10,95],[10.1,95],[10,95.1]]"), paved)}, crs_name("EPSG:4326"));
+      {feature(polygon_geometry(in_degrees), paved), feature(polygon_geometry("[[10,95],[10.1,95],[10,95.1]]"), paved)},
+      crs_name("EPSG:4326"));
   EXPECT_NEAR(area(beyond, "outline_class = \"paved\"\n"), 240.0, 0.1);
   EXPECT_EQ(notes(beyond, "outline_class = \"paved\"\n").size(), 1U);
-  const std::string holes = collection({feature(polygon(square), "{}", R"("id":"yard",)"),
-                                        feature(polygon("[[10,10],[20,10],[20,20]]"), R"({"class":"bed"})"),
-                                        feature(polygon(lone), R"({"class":"bed"})")});
+  const std::string holes = collection({feature(polygon_geometry(square), "{}", R"("id":"yard",)"),
+                                        feature(polygon_geometry("[[10,10],[20,10],[20,20]]"), R"({"class":"bed"})"),
+                                        feature(polygon_geometry(lone), R"({"class":"bed"})")});
   EXPECT_NEAR(area(holes, "outline_feature = \"yard\"\nholes_class = \"bed\"\n"), 89'950.0, 1e-6);
   EXPECT_EQ(notes(holes, "outline_feature = \"yard\"\nholes_class = \"bed\"\n").size(), 1U);
   const std::string guides =
-      collection({feature(polygon(square)), feature(R"({"type":"LineString","coordinates":[[0,0],[300,10]]})"),
+      collection({feature(polygon_geometry(square)), feature(R"({"type":"LineString","coordinates":[[0,0],[300,10]]})"),
                   feature(R"({"type":"LineString","coordinates":[[5,5],[5,5]]})")});
   write(guides);
   const Scene guided = scene("direction = {kind = \"guides\", guides_file = \"a.geojson\"}\n");
@@ -319,14 +324,14 @@ TEST_F(GeoJsonFile, RingsAreWhatTheyEnclose) {
         Case{box + ",[[2,2],[4,2],[4,4],[2,4]],[[4,2],[6,2],[6,4],[4,4]]", 92.0, 1},               // holes side by side
         Case{"[[0,0],[10,10],[10,0],[0,10],[0,0]]", 50.0, 1},                                      // crosses itself
         Case{box + ",[[2,2],[4,2],[4,4],[2,4]]", 96.0, 0}}) {
-    EXPECT_NEAR(area(polygon(one.rings), in_metres), one.area_m2, 1e-4) << one.rings;
-    EXPECT_EQ(notes(polygon(one.rings), in_metres).size(), one.notes) << one.rings;
+    EXPECT_NEAR(area(polygon_geometry(one.rings), in_metres), one.area_m2, 1e-4) << one.rings;
+    EXPECT_EQ(notes(polygon_geometry(one.rings), in_metres).size(), one.notes) << one.rings;
   }
 }
 
 TEST_F(GeoJsonFile, LinesAndRecords) {
-  const std::string a = feature(polygon(square), R"({"name":"a"})");
-  const std::string b = feature(polygon("[[400,0],[500,0],[500,100]]"), R"({"name":"b"})");
+  const std::string a = feature(polygon_geometry(square), R"({"name":"a"})");
+  const std::string b = feature(polygon_geometry("[[400,0],[500,0],[500,100]]"), R"({"name":"b"})");
   const std::string rs = "\x1E";
   for (const std::string& text : {a + "\n" + b + "\n", a + "\r\n\r\n" + b, rs + a + "\n" + rs + b + "\n", a + b,
                                   "\xEF\xBB\xBF" + a + "\n" + b, collection({a}) + "\n" + collection({b}), rs + a + rs + b}) {
@@ -338,36 +343,36 @@ TEST_F(GeoJsonFile, LinesAndRecords) {
     EXPECT_EQ(scene("outline_feature = \"b\"\n", name).pavements.size(), 1U) << name;
   }
   EXPECT_NEAR(area(rs + a + "\n"), 90'000.0, 1e-6);
-  EXPECT_EQ(error(a + "\n" + feature(polygon(lone), R"({"name":"c"})"), "outline_feature = \"c\"\n"),
+  EXPECT_EQ(error(a + "\n" + feature(polygon_geometry(lone), R"({"name":"c"})"), "outline_feature = \"c\"\n"),
             "a.geojson:2:1: geometry.coordinates[0]: expected 3 or more distinct points, got 2");
   EXPECT_EQ(error(a + "\n{\"type\":,}\n" + b), "a.geojson:2:9: expected JSON, got a syntax error");
   EXPECT_EQ(error(a + "\nwords\n" + b), "a.geojson:2:1: expected JSON, got a syntax error");
 }
 
 TEST_F(GeoJsonFile, MarksLineEndsAndEmptyThings) {
-  EXPECT_NEAR(area("\xEF\xBB\xBF" + polygon(square)), 90'000.0, 1e-6);
-  EXPECT_NEAR(area("\r\n" + polygon(square) + "\r\n"), 90'000.0, 1e-6);
-  EXPECT_NEAR(area(polygon("[[0,0,5],[300,0,5,1],[300,300,null],[0,300,5]]")), 90'000.0, 1e-6);
+  EXPECT_NEAR(area("\xEF\xBB\xBF" + polygon_geometry(square)), 90'000.0, 1e-6);
+  EXPECT_NEAR(area("\r\n" + polygon_geometry(square) + "\r\n"), 90'000.0, 1e-6);
+  EXPECT_NEAR(area(polygon_geometry("[[0,0,5],[300,0,5,1],[300,300,null],[0,300,5]]")), 90'000.0, 1e-6);
   const std::string nothing = R"({"type":"Polygon","coordinates":[]})";
   EXPECT_NEAR(
       area(collection(
           {feature(nothing), feature(R"({"type":"Polygon","coordinates":[[]]})"), feature("null"),
            feature(R"({"type":"MultiPolygon","coordinates":[]})"), feature(R"({"type":"MultiPolygon","coordinates":[[]]})"),
            feature(R"({"type":"GeometryCollection","geometries":[]})"), feature(R"({"type":"LineString","coordinates":[]})"),
-           feature(R"({"type":"Point","coordinates":[]})"), feature(polygon(square), "null")})),
+           feature(R"({"type":"Point","coordinates":[]})"), feature(polygon_geometry(square), "null")})),
       90'000.0, 1e-6);
   const std::string nested = R"({"type":"GeometryCollection","geometries":[{"type":"GeometryCollection","geometries":[)" +
-                             nothing + "," + polygon(square) + R"(]},{"type":"Point","coordinates":[1,2,3]}]})";
+                             nothing + "," + polygon_geometry(square) + R"(]},{"type":"Point","coordinates":[1,2,3]}]})";
   EXPECT_NEAR(area(nested), 90'000.0, 1e-6);
   EXPECT_NEAR(area(collection({feature(nested)})), 90'000.0, 1e-6);
 }
 
 TEST_F(GeoJsonFile, NamesInSeveralLanguagesAndNumbers) {
   const std::string text = collection(
-      {feature(polygon(square), R"({"name":{"en":"Market Square","de":"Marktplatz"},"levels":2.0})", R"("id":7,)"),
-       feature(polygon("[[400,0],[500,0],[500,100]]"),
+      {feature(polygon_geometry(square), R"({"name":{"en":"Market Square","de":"Marktplatz"},"levels":2.0})", R"("id":7,)"),
+       feature(polygon_geometry("[[400,0],[500,0],[500,100]]"),
                R"({"name":"Place du Marché","name:en":"Market Place","name:de":"Marktplatz"})", R"("id":8.0,)"),
-       feature(polygon("[[600,0],[700,0],[700,100]]"),
+       feature(polygon_geometry("[[600,0],[700,0],[700,100]]"),
                R"({"names":{"primary":"Tori","common":{"sv":"Torget","en":"Market Place"}}})", R"("id":12345678901234567,)")});
   EXPECT_NEAR(area(text, "outline_feature = \"Market Square\"\n"), 90'000.0, 1e-6);
   EXPECT_NEAR(area(text, "outline_feature = \"7\"\n"), 90'000.0, 1e-6);
@@ -380,8 +385,8 @@ TEST_F(GeoJsonFile, NamesInSeveralLanguagesAndNumbers) {
   EXPECT_NEAR(area(text, "outline_class = \"name:en=Market Square\"\n"), 90'000.0, 1e-6);
   EXPECT_NE(error(text, "outline_feature = \"Market Place\"\n").find("got \"Market Place\", the id of 2"), std::string::npos);
   // A name of its own goes before the same in another language.
-  const std::string twice = collection({feature(polygon(square), R"({"name":"Torg","name:en":"Market"})"),
-                                        feature(polygon("[[400,0],[500,0],[500,100]]"), R"({"name":"Market"})")});
+  const std::string twice = collection({feature(polygon_geometry(square), R"({"name":"Torg","name:en":"Market"})"),
+                                        feature(polygon_geometry("[[400,0],[500,0],[500,100]]"), R"({"name":"Market"})")});
   EXPECT_NEAR(area(twice, "outline_feature = \"Market\"\n"), 5'000.0, 1e-6);
 }
 
@@ -395,7 +400,8 @@ TEST_F(GeoJsonFile, ReadsPipes) {
     writer.join();
     return result;
   };
-  const std::string many = collection(std::vector<std::string>(3000, feature(polygon(square))));  // more than a pipe holds
+  const std::string many =
+      collection(std::vector<std::string>(3000, feature(polygon_geometry(square))));  // more than a pipe holds
   const Scene plan = through(many, [&] { return scene("outline_feature = [0, 1]\n", pipe); });
   EXPECT_EQ(plan.pavements.size(), 1U);
   const Scene svg = through(R"(<svg xmlns="http://www.w3.org/2000/svg"><rect width="96" height="96"/></svg>)",

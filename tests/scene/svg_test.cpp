@@ -12,7 +12,7 @@ namespace {
 
 using geometry::Region;
 
-const double pi_ = std::acos(-1.0);
+const double half_turn = std::acos(-1.0);
 
 std::string page(const std::string& body, const std::string& attributes = "") {
   return R"x(<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="120mm" viewBox="0 0 120 120" )x" + attributes + ">" +
@@ -86,7 +86,7 @@ TEST(SvgShown, StyleSheets) {
 TEST(SvgShown, ClipPathsAndViewportsCut) {
   const std::string circle = R"x(<clipPath id="c"><circle cx="60" cy="60" r="30"/></clipPath>)x";
   const std::string square = R"x(<rect id="a" x="10" y="10" width="100" height="100" clip-path="url(#c)"/>)x";
-  expect(page(circle + square), pi_ * 9.0, 0);
+  expect(page(circle + square), half_turn * 9.0, 0);
   // Children of a clip path overlap without a hole, whichever way they wind.
   expect(page(R"x(<clipPath id="c"><rect x="10" y="10" width="20" height="20"/><path d="M10 20V50H25V20Z"/></clipPath>)x" +
               square),
@@ -95,12 +95,12 @@ TEST(SvgShown, ClipPathsAndViewportsCut) {
       page(
           R"x(<clipPath id="d"><rect width="60" height="120"/></clipPath><clipPath id="c" clip-path="url(#d)"><circle cx="60" cy="60" r="30"/></clipPath>)x" +
           square),
-      pi_ * 4.5, 0);
+      half_turn * 4.5, 0);
   expect(
       page(
           R"x(<clipPath id="d"><rect width="60" height="120"/></clipPath><clipPath id="c"><circle clip-path="url(#d)" cx="60" cy="60" r="30"/></clipPath>)x" +
           square),
-      pi_ * 4.5, 0);
+      half_turn * 4.5, 0);
   expect(
       page(
           R"x(<clipPath id="c" clipPathUnits="objectBoundingBox"><rect width=".5" height=".5"/></clipPath><g transform="rotate(20)">)x" +
@@ -157,7 +157,7 @@ TEST(SvgShown, SubpathsMayCrossAndAdjoin) {
 TEST(SvgShown, LinesOfAGroupThatMeetAreAnOutline) {
   const std::string sides =
       R"x(<path d="M15 15H90"/><path d="M90 15A30 30 0 0 1 90 75"/><path d="M90 75H15"/><path d="M15 75V15"/>)x";
-  const double area = 45.0 + pi_ * 4.5;
+  const double area = 45.0 + half_turn * 4.5;
   expect(page(R"x(<g id="a">)x" + sides + "</g>"), area, 0, "a");
   expect(page(sides), area, 0);
   // In any order and direction, drawn as lines, with a gap of 0.01 mm on the page and a line that ends nowhere.

@@ -129,6 +129,7 @@ RC_GTEST_PROP(Fill, IsWhatWindingNumbersSay, ()) {
   });
   std::vector<Polygon> rings;
   const int count = *rc::gen::inRange(1, 4);
+  rings.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     rings.push_back(*rc::gen::container<Polygon>(*rc::gen::inRange<std::size_t>(0, 14), point));
   }

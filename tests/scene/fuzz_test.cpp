@@ -198,6 +198,7 @@ TEST(Fuzz, ReferenceSystemsOrInputErrors) {
       "+proj=utm +zone=33 +datum=WGS84 +units=us-ft",
       R"(GEOGCS[\"x\",DATUM[\"x\",SPHEROID[\"x\",6378137,298.25]],PRIMEM[\"x\",0],UNIT[\"degree\",0.0174532925199433]])"};
   std::vector<std::string> seeds;
+  seeds.reserve(names.size());
   for (const std::string& name : names) {
     seeds.push_back(R"({"type":"Polygon","crs":{"properties":{"name":")" + name +
                     R"("}},"coordinates":[[[1,1],[1.001,1],[1.001,1.001]]]})");

@@ -333,13 +333,15 @@ TEST_F(GeoJsonFile, LinesAndRecords) {
   const std::string a = feature(polygon_geometry(square), R"({"name":"a"})");
   const std::string b = feature(polygon_geometry("[[400,0],[500,0],[500,100]]"), R"({"name":"b"})");
   const std::string rs = "\x1E";
-  for (const std::string& text : {a + "\n" + b + "\n", a + "\r\n\r\n" + b, rs + a + "\n" + rs + b + "\n", a + b,
-                                  "\xEF\xBB\xBF" + a + "\n" + b, collection({a}) + "\n" + collection({b}), rs + a + rs + b}) {
+  for (const std::string& text :
+       {fmt::format("{}\n{}\n", a, b), fmt::format("{}\r\n\r\n{}", a, b), fmt::format("{0}{1}\n{0}{2}\n", rs, a, b),
+        fmt::format("{}{}", a, b), fmt::format("\xEF\xBB\xBF{}\n{}", a, b),
+        fmt::format("{}\n{}", collection({a}), collection({b})), fmt::format("{0}{1}{0}{2}", rs, a, b)}) {
     EXPECT_NEAR(area(text, "outline_feature = \"a\"\n"), 90'000.0, 1e-6) << text;
     EXPECT_NEAR(area(text, "outline_feature = \"b\"\n"), 5'000.0, 1e-6) << text;
   }
   for (const char* name : {"a.geojsonl", "a.geojsons", "a.GeoJSONSeq", "a.ndjson", "a.jsonl", "a.ndgeojson"}) {
-    write(a + "\n" + b + "\n", name);
+    write(fmt::format("{}\n{}\n", a, b), name);
     EXPECT_EQ(scene("outline_feature = \"b\"\n", name).pavements.size(), 1U) << name;
   }
   EXPECT_NEAR(area(rs + a + "\n"), 90'000.0, 1e-6);
@@ -396,7 +398,7 @@ TEST_F(GeoJsonFile, ReadsPipes) {
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const auto through = [&](const std::string& text, const auto& read) {
     std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << text; });
-    const auto result = read();
+    auto result = read();
     writer.join();
     return result;
   };

@@ -38,8 +38,7 @@ TEST(ReferenceSystem, DegreesInEverySpelling) {
        // With heights.
        "EPSG:4326+5773", "EPSG:4326+EPSG:5773", "urn:ogc:def:crs,crs:EPSG::4326,crs:EPSG::5773",
        "urn:ogc:def:crs,crs:EPSG:9.8:4326,crs:EPSG:9.8:5773",
-       "http://www.opengis.net/def/crs-compound?1=http://www.opengis.net/def/crs/EPSG/0/4326&2=http://www.opengis.net/def/crs/"
-       "EPSG/0/5773",
+       R"(http://www.opengis.net/def/crs-compound?1=http://www.opengis.net/def/crs/EPSG/0/4326&2=http://www.opengis.net/def/crs/EPSG/0/5773)",
        "WGS 84 + EGM96 height",
        // By name.
        "WGS 84", "WGS84", "wgs84", "WGS_84", "GCS_WGS_1984", "GDA2020", "GDA94", "JGD2011", "NAD83", "NAD27", "NAD83(2011)",

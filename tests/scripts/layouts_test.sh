@@ -13,7 +13,7 @@ trap 'rm -rf "$scratch"' EXIT
 "$program" --first 30 --count 100 >"$scratch/lines"
 "$program" --first 129 --count 1 | cmp - <(tail -n 1 "$scratch/lines")
 /usr/bin/python3 "$judge" --self-test <"$scratch/lines"
-# The scorer finds the same bare spots.
-"$program" --measured --first 2001 --count 60 >"$scratch/measured"
+# The scorer finds the same bare spots; the shares of layouts with wide ones are judged in the thousand below, of which these are some.
+"$program" --measured --first 941 --count 60 >"$scratch/measured"
 /usr/bin/python3 "$judge" --worst 3 <"$scratch/measured"
 /usr/bin/python3 "$judge" --run "$program" --first 1 --count 1000 --worst 3

@@ -40,7 +40,8 @@ void SvgReader::clip_shapes(const Regions& clip, std::size_t first) {
   for (std::size_t i = first; i < plan_.shapes.size(); ++i) plan_.shapes[i].clips.push_back(shared);
 }
 
-void SvgReader::limit_shapes(const pugi::xml_node& node, const Affine& to_mm, vec2 viewport, std::size_t first) {
+void SvgReader::limit_shapes(const pugi::xml_node& node, const Affine& to_mm, vec2 viewport, Begin begin) {
+  const std::size_t first = begin.shapes;
   if (plan_.shapes.size() == first) return;
   if (!is_none(value(node, "mask"))) refuse_shapes(node, "no mask, got one", first);
   if (!is_none(value(node, "filter"))) {
@@ -48,7 +49,7 @@ void SvgReader::limit_shapes(const pugi::xml_node& node, const Affine& to_mm, ve
     for (std::size_t i = first; i < plan_.shapes.size(); ++i) plan_.shapes[i].notes.push_back(note);
   }
   try {
-    if (const auto clip = clip_of(node, to_mm, viewport, first)) clip_shapes(*clip, first);
+    if (const auto clip = clip_of(node, to_mm, viewport, begin)) clip_shapes(*clip, first);
   } catch (const SvgError& error) {
     refuse_shapes(node, error.what(), first);
   }
@@ -64,7 +65,7 @@ pugi::xml_node SvgReader::node_of_url(std::string_view url) {
 
 // Nothing where the element is not clipped.
 std::optional<SvgReader::Regions> SvgReader::clip_of(const pugi::xml_node& node, const Affine& to_mm, vec2 viewport,
-                                                     std::size_t first) {
+                                                     Begin first) {
   const std::string_view text = value(node, "clip-path");
   if (is_none(text)) return std::nullopt;
   if (!text.starts_with("url(") || !text.ends_with(')')) {
@@ -74,7 +75,7 @@ std::optional<SvgReader::Regions> SvgReader::clip_of(const pugi::xml_node& node,
   // A reference to nothing clips nothing (CSS Masking, 5.1).
   if (!clip || local_name(clip) != "clipPath") {
     const Note note{place_of(node), fmt::format("the clip path {} is not in the file: nothing is clipped", in_quotes(text))};
-    for (std::size_t i = first; i < plan_.shapes.size(); ++i) plan_.shapes[i].notes.push_back(note);
+    for (std::size_t i = first.shapes; i < plan_.shapes.size(); ++i) plan_.shapes[i].notes.push_back(note);
     return std::nullopt;
   }
   const bool by_box = std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox";
@@ -82,12 +83,12 @@ std::optional<SvgReader::Regions> SvgReader::clip_of(const pugi::xml_node& node,
   return clip_regions(clip, to_mm.after(unit_box(to_mm, first)), {1.0, 1.0}, 0);
 }
 
-// Takes the unit square to the box about the shapes from `first` on, in the user space that `to_mm` starts from.
-Affine SvgReader::unit_box(const Affine& to_mm, std::size_t first) const {
+// Takes the unit square to the box about the shapes from `first` on, drawn or hidden, clipped or not, in the user space that
+// `to_mm` starts from (SVG 2, 8.10).
+Affine SvgReader::unit_box(const Affine& to_mm, Begin first) const {
   const auto to_user = inverse(to_mm);
   std::optional<geometry::Box> box;
-  for (std::size_t i = first; i < plan_.shapes.size(); ++i) {
-    const PlanShape& shape = plan_.shapes[i];
+  const auto add = [&](const PlanShape& shape) {
     if (shape.kind == ShapeKind::unread) throw SvgError("a clip path in units of the page about what cannot be read");
     for (const Ring& ring : shape.rings) {
       for (const vec2& mm : ring.points_mm) {
@@ -95,7 +96,9 @@ Affine SvgReader::unit_box(const Affine& to_mm, std::size_t first) const {
         box = box ? geometry::Box{glm::min(box->low, p), glm::max(box->high, p)} : geometry::Box{p, p};
       }
     }
-  }
+  };
+  for (std::size_t i = first.shapes; i < plan_.shapes.size(); ++i) add(plan_.shapes[i]);
+  for (std::size_t i = first.hidden; i < hidden_.size(); ++i) add(hidden_[i]);
   if (!box) return {0, 0, 0, 0, 0, 0};
   const vec2 size = box->high - box->low;
   return {size.x, 0, 0, size.y, box->low.x, box->low.y};

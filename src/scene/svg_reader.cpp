@@ -74,7 +74,7 @@ void SvgReader::read(const pugi::xml_node& svg) {
   root_ = svg;
   try {
     read_styles(svg);
-    if (is_hidden(svg)) return;
+    if (is_hidden(svg) || is_transparent(svg)) return;
     const Affine transform = transform_of_element(svg).value_or(Affine{});
     const SvgPage page = page_of(svg, scale_, transform);
     SvgInherited inherited;
@@ -82,7 +82,7 @@ void SvgReader::read(const pugi::xml_node& svg) {
     inherited.viewport = page.viewport;
     take_styles(svg, inherited);
     visit_children(svg, inherited);
-    limit_shapes(svg, page.outer_to_mm, page.viewport, 0);
+    limit_shapes(svg, page.outer_to_mm, page.viewport, {});
   } catch (const SvgError& error) {
     throw InputError(place_of(svg), fmt::format("expected {}", error.what()));
   }
@@ -135,8 +135,7 @@ void SvgReader::visit_first(const pugi::xml_node& node, const SvgInherited& inhe
   }
 }
 
-bool SvgReader::is_hidden(const pugi::xml_node& node) const {
-  if (value(node, "display") == "none") return true;
+bool SvgReader::is_transparent(const pugi::xml_node& node) const {
   const std::string_view opacity = value(node, "opacity");
   if (opacity.empty()) return false;
   SvgNumbers numbers(opacity);
@@ -150,7 +149,7 @@ void SvgReader::visit(const pugi::xml_node& node, const SvgInherited& from_paren
     if (++visited_ > most_elements) throw SvgError(fmt::format("at most {} elements, got more", most_elements));
     if (is_unread_name(local_name(node))) return add_unread(node, from_parent);
     const SvgInherited inherited = handed_on(node, from_parent);
-    const std::size_t first = plan_.shapes.size();
+    const Begin first = begin();
     visit_within(node, inherited, sized_by);
     limit_shapes(node, inherited.to_mm, inherited.viewport, first);
   } catch (const SvgError& error) {
@@ -180,6 +179,7 @@ void SvgReader::take_styles(const pugi::xml_node& node, SvgInherited& inherited)
   if (!visibility.empty() && visibility != "inherit" && visibility != "unset") {
     inherited.visible = visibility == "visible" || visibility == "initial";
   }
+  if (is_transparent(node)) inherited.transparent = true;
   const std::string_view fill = value(node, "fill");
   if (!fill.empty() && fill != "inherit" && fill != "unset") {
     inherited.fill = fill == "none" ? SvgInherited::Fill::none : SvgInherited::Fill::painted;
@@ -258,7 +258,7 @@ void SvgReader::visit_used(const pugi::xml_node& use, const SvgInherited& from_p
   inherited.copied = true;
   if (local_name(node) != "symbol") return visit(node, inherited, use);
   if (is_hidden(node)) return;
-  const std::size_t first = plan_.shapes.size();
+  const Begin first = begin();
   const SvgInherited within = handed_on(node, inherited);
   visit_viewport(node, within, use);
   limit_shapes(node, within.to_mm, within.viewport, first);
@@ -280,12 +280,18 @@ const std::map<std::string_view, pugi::xml_node>& SvgReader::nodes_by_id() {
 }
 
 void SvgReader::add(const pugi::xml_node& node, std::string_view name, const SvgInherited& inherited) {
-  if (!inherited.visible) return;
   Outliner outliner(inherited.to_mm, svg_tolerance_mm);
   outline_element(node, name, lengths_of(node, inherited.viewport), outliner);
   for (const Subpath& subpath : outliner.subpaths()) points_ += subpath.points.size();
   if (points_ > most_vertices) throw SvgError(fmt::format("at most {} points in all, got more", most_vertices));
+  if (!inherited.visible || inherited.transparent) return add_hidden(outliner.subpaths());
   if (!outliner.subpaths().empty()) add_areas(outliner.subpaths(), place_of(node), inherited);
+}
+
+void SvgReader::add_hidden(const std::vector<Subpath>& subpaths) {
+  PlanShape shape;
+  for (const Subpath& subpath : subpaths) shape.rings.push_back({subpath.points, {}});
+  hidden_.push_back(std::move(shape));
 }
 
 // Keeps those subpaths that do not end where they start as lines, and adds to the rings of the areas. Returns the shapes of the
@@ -339,7 +345,10 @@ void SvgReader::add_areas(const std::vector<Subpath>& subpaths, const Place& pla
 void SvgReader::add_unread(const pugi::xml_node& node, const SvgInherited& from_parent) {
   SvgInherited inherited = from_parent;
   take_styles(node, inherited);
-  if (!inherited.visible) return;
+  if (!inherited.visible || inherited.transparent) {
+    hidden_.push_back({.kind = ShapeKind::unread});
+    return;
+  }
   PlanShape shape{.kind = ShapeKind::unread, .feature = plan_.features.size()};
   plan_.features.push_back(feature_of(node, from_parent));
   shape.notes.push_back({place_of(node), fmt::format("<{}> is no shape and is not read", local_name(node))});

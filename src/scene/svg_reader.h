@@ -28,7 +28,8 @@ struct SvgInherited {
   FillRule clip_rule = FillRule::nonzero;
   Fill fill = Fill::unsaid;
   bool visible = true;
-  bool copied = false;  // by `use`: ids are those of the original
+  bool transparent = false;  // wholly, itself or what it lies in
+  bool copied = false;       // by `use`: ids are those of the original
   std::optional<std::size_t> group;
   int depth = 0;
 };
@@ -63,27 +64,36 @@ class SvgReader {
   void take_styles(const pugi::xml_node& node, SvgInherited& inherited) const;
   std::optional<Affine> transform_of_element(const pugi::xml_node& node) const;
   SvgInherited handed_on(const pugi::xml_node& node, const SvgInherited& from_parent);
-  bool is_hidden(const pugi::xml_node& node) const;
+  bool is_hidden(const pugi::xml_node& node) const { return value(node, "display") == "none"; }
+  bool is_transparent(const pugi::xml_node& node) const;
 
   // Shapes.
   void add(const pugi::xml_node& node, std::string_view name, const SvgInherited& inherited);
+  void add_hidden(const std::vector<Subpath>& subpaths);
   std::optional<std::vector<std::size_t>> add_lines(const std::vector<Subpath>& subpaths, const Place& place,
                                                     const SvgInherited& inherited, PlanShape& closed, PlanShape& filled);
   void add_areas(const std::vector<Subpath>& subpaths, const Place& place, const SvgInherited& inherited);
   void add_unread(const pugi::xml_node& node, const SvgInherited& from_parent);
   std::size_t keep(PlanShape shape);
 
-  // What clip paths, viewports and masks leave of the shapes from number `first` on (svg_clip.cpp).
-  void limit_shapes(const pugi::xml_node& node, const Affine& to_mm, vec2 viewport, std::size_t first);
+  // Where the shapes of an element begin.
+  struct Begin {
+    std::size_t shapes = 0;
+    std::size_t hidden = 0;
+  };
+  Begin begin() const { return {plan_.shapes.size(), hidden_.size()}; }
+
+  // What clip paths, viewports and masks leave of the shapes from `first` on (svg_clip.cpp).
+  void limit_shapes(const pugi::xml_node& node, const Affine& to_mm, vec2 viewport, Begin first);
   void clip_shapes(const Regions& clip, std::size_t first);
   void refuse_shapes(const pugi::xml_node& node, const std::string& expected, std::size_t first);
-  std::optional<Regions> clip_of(const pugi::xml_node& node, const Affine& to_mm, vec2 viewport, std::size_t first);
+  std::optional<Regions> clip_of(const pugi::xml_node& node, const Affine& to_mm, vec2 viewport, Begin first);
   Regions clip_regions(const pugi::xml_node& clip, const Affine& to_mm, vec2 viewport, int depth);
   Regions clip_child(const pugi::xml_node& child, const pugi::xml_node& ruled_by, const Affine& to_mm, vec2 viewport,
                      int depth);
   Regions clip_shape(const pugi::xml_node& shape, const pugi::xml_node& ruled_by, const Affine& to_mm, vec2 viewport);
   Regions clipped_child(const pugi::xml_node& child, Regions regions, const Affine& to_mm, vec2 viewport, int depth);
-  Affine unit_box(const Affine& to_mm, std::size_t first) const;
+  Affine unit_box(const Affine& to_mm, Begin first) const;
   // The node that url(#id) names, if there is one.
   pugi::xml_node node_of_url(std::string_view url);
   std::string_view inherited_value(const pugi::xml_node& node, const char* property) const;
@@ -98,6 +108,7 @@ class SvgReader {
   pugi::xml_node root_;
   std::map<std::string_view, pugi::xml_node> nodes_by_id_;
   std::vector<OutlinePiece> pieces_;
+  std::vector<PlanShape> hidden_;  // not drawn, but in the boxes about what they lie in (SVG 2, 8.10)
   std::size_t visited_ = 0;
   std::size_t points_ = 0;
 };

@@ -1,8 +1,9 @@
 // Plans mean what a drawing program shows: areas as they are read beside the same SVG drawn by rsvg-convert.
 //
-// rsvg-convert 2.54 itself departs from SVG 1.1 in five things, which are left out here and tested by value in svg_test.cpp:
+// rsvg-convert 2.54 itself departs from SVG 1.1 in six things, which are left out here and tested by value in svg_test.cpp:
 // children of a clip path that overlap (it adds up their windings), clip paths of clip paths, clip paths in units of the box of
-// an element that is turned, width and height of a `use` of an `svg`, and overflow of a symbol.
+// an element that is turned, and of a group with elements in it that are clipped so themselves (nothing is left of those),
+// width and height of a `use` of an `svg`, and overflow of a symbol.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -24,9 +25,9 @@ using geometry::Polygon;
 using geometry::Region;
 
 // The page is 100 × 100 units of 1 mm, read in 1:100 and drawn at 8 px a unit: the world's curves are then finer than pixels.
+// What differs there is drawn again at twice that: an error of pixels shrinks with them, another reading does not.
 constexpr double scale = 100.0;
 constexpr std::size_t page_px = 800;
-constexpr double mm_per_px = 100.0 * scale / page_px;
 // rsvg-convert's own error in a pixel on a border: it samples it at 15 × 17 points, and multiplies what a shape and a clip path
 // cover of it.
 constexpr double sampling = 1.0 / 8.0;
@@ -43,7 +44,7 @@ std::string page(const std::string& body, const std::string& attributes = "") {
 // How much of each pixel is filled, row by row from the top: for each side, the area to its right, signed.
 class Coverage {
  public:
-  Coverage() : cells_(page_px * (page_px + 2), 0.0) {}
+  explicit Coverage(std::size_t page) : page_px_(page), cells_(page * (page + 2), 0.0) {}
 
   void add(const Polygon& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) add_side(in_px(ring[i]), in_px(ring[(i + 1) % ring.size()]));
@@ -51,10 +52,10 @@ class Coverage {
 
   std::vector<double> pixels() const {
     std::vector<double> result;
-    for (std::size_t row = 0; row < page_px; ++row) {
+    for (std::size_t row = 0; row < page_px_; ++row) {
       double sum = 0.0;
-      for (std::size_t column = 0; column < page_px; ++column) {
-        sum += cells_[row * (page_px + 2) + column];
+      for (std::size_t column = 0; column < page_px_; ++column) {
+        sum += cells_[row * (page_px_ + 2) + column];
         result.push_back(std::abs(sum));
       }
     }
@@ -62,14 +63,17 @@ class Coverage {
   }
 
  private:
-  static vec2 in_px(vec2 mm) { return {mm.x / mm_per_px, static_cast<double>(page_px) - mm.y / mm_per_px}; }
+  vec2 in_px(vec2 mm) const {
+    const double page = static_cast<double>(page_px_);
+    return {mm.x / (100.0 * scale) * page, page - mm.y / (100.0 * scale) * page};
+  }
 
   void add_side(vec2 a, vec2 b) {
     const double sign = a.y < b.y ? 1.0 : -1.0;
     if (a.y > b.y) std::swap(a, b);
     const double slope = a.y < b.y ? (b.x - a.x) / (b.y - a.y) : 0.0;
     const double top = std::max(a.y, 0.0);
-    const double bottom = std::min(b.y, static_cast<double>(page_px));
+    const double bottom = std::min(b.y, static_cast<double>(page_px_));
     for (double y = top; y < bottom;) {
       const double next = std::min(std::floor(y) + 1.0, bottom);
       add_row(static_cast<std::size_t>(y), a.x + (y - a.y) * slope, a.x + (next - a.y) * slope, sign * (next - y));
@@ -80,7 +84,7 @@ class Coverage {
   void add_row(std::size_t row, double x0, double x1, double height) {
     if (x0 > x1) std::swap(x0, x1);
     const double width = x1 - x0;
-    double* cells = &cells_[row * (page_px + 2)];
+    double* cells = &cells_[row * (page_px_ + 2)];
     double x = std::max(x0, 0.0);
     if (x1 <= 0.0 || width < 1e-9) return add_piece(cells, std::max(x1, 0.0), std::max(x1, 0.0), height);
     add_piece(cells, 0.0, 0.0, height * std::max(0.0, -x0) / width);
@@ -90,19 +94,20 @@ class Coverage {
       x = next;
     }
   }
-  static void add_piece(double* cells, double x0, double x1, double height) {
-    const double x = std::min(x0, static_cast<double>(page_px));
+  void add_piece(double* cells, double x0, double x1, double height) const {
+    const double x = std::min(x0, static_cast<double>(page_px_));
     const auto column = static_cast<std::size_t>(x);
     const double covered = std::clamp(1.0 - (0.5 * (x0 + x1) - static_cast<double>(column)), 0.0, 1.0);
     cells[column] += height * covered;
     cells[column + 1] += height * (1.0 - covered);
   }
 
+  std::size_t page_px_;
   std::vector<double> cells_;
 };
 
-std::vector<double> as_read(const Plan& plan) {
-  Coverage coverage;
+std::vector<double> as_read(const Plan& plan, std::size_t page) {
+  Coverage coverage(page);
   try {
     const auto shapes = chosen_shapes(plan, {ShapeKind::area}, {}, ByDefault::all);
     for (const Region& region : merged(regions_of(plan, shapes, {}, 0.0))) {
@@ -125,10 +130,10 @@ class SvgRendering : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::vector<double> as_drawn(const std::string& bytes) const {
+  std::vector<double> as_drawn(const std::string& bytes, std::size_t page) const {
     std::ofstream(folder_ / "a.svg", std::ios::binary) << bytes;
     std::string said;
-    const std::string size = std::to_string(page_px);
+    const std::string size = std::to_string(page);
     const auto ending = pipeline::run(
         {{"rsvg-convert", "-w", size, "-h", size, "-o", "a.png", "a.svg"}, folder_, {}, {}},
         [&](std::string_view text) { said += text; }, [] { return false; });
@@ -144,8 +149,15 @@ class SvgRendering : public testing::Test {
 
   // The symmetric difference as a part of the area that is drawn.
   double difference(const std::string& bytes, const Plan& plan) const {
-    const std::vector<double> drawn = as_drawn(bytes);
-    const std::vector<double> read = as_read(plan);
+    const double found = difference(bytes, plan, page_px);
+    return found <= most_difference ? found : difference(bytes, plan, 2 * page_px);
+  }
+  double difference(const std::string& bytes) const { return difference(bytes, plan_of_svg(bytes, "a.svg", scale)); }
+
+ private:
+  double difference(const std::string& bytes, const Plan& plan, std::size_t page) const {
+    const std::vector<double> drawn = as_drawn(bytes, page);
+    const std::vector<double> read = as_read(plan, page);
     double area = 0.0;
     double apart = 0.0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -154,9 +166,7 @@ class SvgRendering : public testing::Test {
     }
     return area < 0.5 ? apart : apart / area;
   }
-  double difference(const std::string& bytes) const { return difference(bytes, plan_of_svg(bytes, "a.svg", scale)); }
 
- private:
   std::filesystem::path folder_;
 };
 
@@ -206,6 +216,12 @@ TEST_F(SvgRendering, WhatIsDrawnByHand) {
       page(circle + clipped),
       page(boxed + clipped),
       page(boxed + R"x(<g clip-path="url(#c)"><rect width="30" height="50"/><circle cx="60" cy="60" r="30"/></g>)x"),
+      page(boxed +
+           R"x(<g clip-path="url(#c)"><rect width="40" height="50"/><path d="M60 60h30v30z" visibility="hidden"/></g>)x"),
+      page(boxed + R"x(<g clip-path="url(#c)"><rect width="40" height="50"/><path d="M60 60h30v30z" opacity="0"/></g>)x"),
+      page(boxed + R"x(<g clip-path="url(#c)"><rect width="40" height="50"/><path d="M60 60h30v30z" display="none"/></g>)x"),
+      page(boxed +
+           R"x(<path d="M60 60h30v30z" visibility="hidden"/><g clip-path="url(#c)"><rect width="40" height="50"/></g>)x"),
       page(R"x(<clipPath id="c" transform="translate(20)"><path clip-rule="evenodd" d="M10 10H60V60H10Z M20 20H50V50H20Z"/>)x"
            R"x(</clipPath><rect width="100" height="100" style="clip-path:url('#c')"/>)x"),
       page(R"x(<g clip-rule="evenodd"><clipPath id="c"><path d="M10 10H60V60H10Z M20 20H50V50H20Z"/></clipPath></g>)x" +
@@ -294,7 +310,7 @@ class Drawer {
     if (one_in(8)) text += " id=\"k" + std::to_string(number(3)) + "\"";
     if (one_in(4)) text += " fill-rule=\"" + pick({"evenodd", "nonzero", "inherit", "foo"}) + "\"";
     if (one_in(5)) text += " style=\"fill-rule: " + pick({"evenodd", "nonzero", "foo"}) + "; stroke:none\"";
-    if (one_in(5)) text += " clip-path=\"url(#c" + std::to_string(number(2)) + ")\"";
+    if (one_in(5) && !(boxed_ && groups_ > 0)) text += " clip-path=\"url(#c" + std::to_string(number(2)) + ")\"";
     if (one_in(5))
       text += " transform=\"" +
               pick(boxed_ ? std::vector<std::string>{"translate(5 -4)", "scale(.7 .8)"}
@@ -351,9 +367,10 @@ class Drawer {
   }
 
   std::string element(int depth) {
-    // What the box of a group is, librsvg decides in its own way: boxes are asked of shapes alone.
-    if (depth > 2 || boxed_ || !one_in(3)) return shape();
+    if (depth > 2 || !one_in(3)) return shape();
+    ++groups_;
     const std::string content = element(depth + 1) + (one_in(2) ? element(depth + 1) : "");
+    --groups_;
     switch (number(4)) {
       case 0:
         return "<svg x=\"" + between(0, 20) + "\" y=\"" + between(0, 20) + "\" width=\"" + between(40, 70) + "\" height=\"" +
@@ -373,11 +390,12 @@ class Drawer {
 
   rc::Random random_;
   int uses_ = 0;
+  int groups_ = 0;      // about the element that is drawn
   bool boxed_ = false;  // clip paths are in units of boxes
 };
 
 TEST_F(SvgRendering, WhatIsDrawnAtRandom) {
-  constexpr std::uint64_t drawings = 150;
+  constexpr std::uint64_t drawings = 300;
   int filled = 0;
   for (std::uint64_t seed = 1; seed <= drawings; ++seed) {
     const std::string text = Drawer(seed).document();

@@ -106,6 +106,11 @@ TEST(SvgShown, ClipPathsAndViewportsCut) {
           R"x(<clipPath id="c" clipPathUnits="objectBoundingBox"><rect width=".5" height=".5"/></clipPath><g transform="rotate(20)">)x" +
           square + "</g>"),
       25.0, 0);
+  expect(
+      page(
+          R"x(<clipPath id="c" clipPathUnits="objectBoundingBox"><rect width=".5" height=".5"/></clipPath><g clip-path="url(#c)"><g clip-path="url(#c)">)x" +
+          square + "</g></g>"),
+      25.0, 0);
   expect(page(R"x(<svg x="10" y="10" width="50" height="40"><rect id="a" x="-5" y="-5" width="100" height="100"/></svg>)x"),
          20.0, 0);
   expect(page(R"x(<svg width="50" height="40" overflow="visible"><rect id="a" width="100" height="100"/></svg>)x"), 100.0, 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -143,20 +144,34 @@ std::vector<Tile> parted(const std::vector<Tile>& tiles, const Region& region, W
 
 }  // namespace
 
-std::vector<Polygon> without_holes(const Region& region) {
-  if (region.holes.empty()) return {region.outline};
+std::vector<Polygon> without_holes(Region region) {
+  if (region.holes.empty()) return {std::move(region.outline)};
+  const auto rectangle = [](vec2 low, vec2 high) { return Polygon{low, {high.x, low.y}, high, {low.x, high.y}}; };
+  std::vector<Polygon> parts;
+  const auto append = [&](std::vector<Region> regions) {
+    for (Region& part : regions) std::ranges::move(without_holes(std::move(part)), std::back_inserter(parts));
+  };
+  // No line of the lattice parts a slit of a single step, and cuts beside it would never end: a box about it is taken out.
+  const vec2 step(geometry::to_mm(1));
+  std::vector<Polygon> slits;
+  std::erase_if(region.holes, [&](const Polygon& hole) {
+    const Box box = geometry::bounding_box(hole);
+    const bool slit = std::min(box.high.x - box.low.x, box.high.y - box.low.y) < 1.5 * step.x;
+    if (slit) slits.push_back(rectangle(geometry::on_lattice(box.low - step), geometry::on_lattice(box.high + step)));
+    return slit;
+  });
+  if (!slits.empty()) {
+    append(geometry::difference(region, slits));
+    return parts;
+  }
   const Box box = geometry::bounding_box(region.outline);
   const Box hole = geometry::bounding_box(region.holes.front());
   const vec2 middle = geometry::on_lattice(0.5 * (hole.low + hole.high));
   const bool upright = box.high.x - box.low.x >= box.high.y - box.low.y;
   const vec2 split_high = upright ? vec2{middle.x, box.high.y} : vec2{box.high.x, middle.y};
   const vec2 split_low = upright ? vec2{middle.x, box.low.y} : vec2{box.low.x, middle.y};
-  const auto rectangle = [](vec2 low, vec2 high) { return Polygon{low, {high.x, low.y}, high, {low.x, high.y}}; };
-  std::vector<Polygon> parts;
   for (const Polygon& half : {rectangle(box.low, split_high), rectangle(split_low, box.high)}) {
-    for (const Region& part : geometry::intersection(half, region)) {
-      for (Polygon& polygon : without_holes(part)) parts.push_back(std::move(polygon));
-    }
+    append(geometry::intersection(half, region));
   }
   return parts;
 }

@@ -17,7 +17,8 @@ std::vector<Tile> filling_tiles(const std::vector<Tile>& tiles, const geometry::
 // Only those that are at the end of `filling_tiles`.
 std::vector<Tile> gap_tiles(const std::vector<Tile>& tiles, const geometry::Region& region);
 
-// The region as polygons without holes: it is cut through the middle of each hole.
-std::vector<geometry::Polygon> without_holes(const geometry::Region& region);
+// The region as polygons without holes: it is cut through the middle of each hole. About a hole that is 1 µm wide or tall, 1 µm
+// more is left out.
+std::vector<geometry::Polygon> without_holes(geometry::Region region);
 
 }  // namespace shatterpave::paving

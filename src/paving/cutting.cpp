@@ -15,6 +15,7 @@
 
 #include "core/parallel.h"
 #include "geometry/clip.h"
+#include "geometry/contacts.h"
 #include "geometry/lattice.h"
 #include "geometry/predicates.h"
 #include "paving/filling.h"
@@ -194,8 +195,13 @@ std::vector<Polygon> faces_of(const Polygon& piece, double joint_mm) {
   if (is_convex(piece)) {
     if (auto face = convex_face(piece, inset)) return {std::move(*face)};
   }
+  std::vector<Region> regions = geometry::offset({piece, {}}, -inset);
+  // Where a neck is as wide as the joint, what it joins still meets in a point.
+  if (regions.size() > 1 || !std::ranges::all_of(regions, [](const Region& r) { return geometry::is_simple(r.outline); })) {
+    regions = geometry::parted(std::move(regions));
+  }
   std::vector<Polygon> faces;
-  for (Region& region : geometry::offset({piece, {}}, -inset)) {
+  for (Region& region : regions) {
     if (geometry::is_simple(region.outline)) faces.push_back(std::move(region.outline));
   }
   return faces;

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 
+#include "core/random.h"
+#include "geometry/contacts.h"
 #include "geometry/hull.h"
+#include "geometry/lattice.h"
 #include "paving/contact.h"
 #include "paving/laying.h"
 #include "paving/layout_quality.h"
@@ -105,6 +108,36 @@ TEST(Joining, LeavesStonesOfRowsConvexOnSlantedBorders) {
     // A few beside the border are notched, where two stones that fit their stock could not be made of them.
     EXPECT_LT(hollow, 0.006 * all) << degrees;
   }
+}
+
+// Hourglasses, their necks turned any way and as wide as the joint but for some steps of the lattice: two faces are left, or
+// one.
+TEST(Faces, NeverMeetInAPoint) {
+  int in_two = 0;
+  for (std::uint32_t draw = 0; draw < 1000; ++draw) {
+    const auto next = [&](std::uint32_t which) { return uniform(1, {Stream::stone_place, Id("hourglass"), 4 * draw + which}); };
+    const double half = 5.0 + 0.004 * (next(0) - 0.5);
+    const vec2 neck = half * Angle::degrees(80.0 * (next(1) - 0.5)).direction();
+    const vec2 middle{50.0, 50.0 + 4.0 * next(2)};
+    const double side = 90.0 + 20.0 * next(3);
+    Polygon piece{{0.0, 0.0}, {side, 0.0}, middle + neck, {side, 100.0}, {0.0, 100.0}, middle - neck};
+    for (vec2& p : piece) p = geometry::on_lattice(p);
+    const auto faces = faces_of(piece, 10.0);
+    ASSERT_FALSE(faces.empty());
+    EXPECT_TRUE(geometry::contacts(faces).empty()) << draw;
+    if (faces.size() == 2) ++in_two;
+  }
+  EXPECT_GT(in_two, 250);
+}
+
+// Layout 19,286 of the long run: hexagons where directions meet, and a joint of 19.1 mm.
+TEST(Faces, ArePartedWhereTheJointLeavesAPoint) {
+  const Polygon piece{{5880.831, -6096.609}, {5841.429, -6073.563}, {5844.508, -6145.582},
+                      {5848.155, -6149.055}, {5879.178, -6118.655}, {5879.548, -6170.617},
+                      {5914.408, -6170.368}, {5914.253, -6148.584}, {5934.975, -6128.278}};
+  const auto faces = faces_of(piece, 19.1);
+  EXPECT_EQ(faces.size(), 2U);
+  EXPECT_TRUE(geometry::contacts(faces).empty());
 }
 
 }  // namespace

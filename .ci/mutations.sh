@@ -10,21 +10,21 @@ install_packages build render test || exit 1
 
 # name | file | sed expression | what tests may notice it (a filter of GoogleTest)
 breaks="
-glass_of_air        | templates/shatterpave_glass.inc | s/ior 1\.52/ior 1.0/                               | *RenderGolden*pane*
-one_radial_fewer    | src/glass/counts.cpp            | s/counts\.radial_count = m;/counts.radial_count = m - 1;/ | Counts*:Growth.*:*RenderGolden*pane*
-joints_5_per_cent   | src/paving/cutting.cpp          | s/std::max(0\.5 \* joint_mm/std::max(0.525 * joint_mm/ | Laying*:*RenderGolden*path*
+glass_of_air        | templates/includes/shatterpave_glass.inc | s/ior 1\.52/ior 1.0/                               | *RenderGolden*pane*
+one_radial_fewer    | src/glass/growth/counts.cpp            | s/counts\.radial_count = m;/counts.radial_count = m - 1;/ | Counts*:Growth.*:*RenderGolden*pane*
+joints_5_per_cent   | src/paving/tiles/cutting.cpp          | s/std::max(0\.5 \* joint_mm/std::max(0.525 * joint_mm/ | Laying*:*RenderGolden*path*
 relief_left_out     | src/export/povray/stones.cpp    | s/pavement\.relief\.rms_mm == 0\.0/true/            | *Render*path*
 mirrored_side       | src/geometry/predicates.cpp     | s/return left > right/return left < right/         | -*Render*
 biased_draws        | src/core/random.cpp             | s/0x1p-53/0x1.fp-54/                               | -*Render*
 poisson_one_more    | src/core/random.cpp             | s/^  return k;/  return k + 1;/                    | -*Render*
 lattice_of_10_um    | src/geometry/lattice.h          | s/lattice_per_mm = 1000\.0/lattice_per_mm = 100.0/ | -*Render*
-warning_in_the_glass| templates/shatterpave_glass.inc | s/diffuse 0\.6\$/diffuse 0.6, 0.6/                 | *Render*pane*
-joints_unchecked    | src/glass/crack_map.cpp         | s/can_join(from, joint, hit\.segment)) return/true) return/ | Crack*:ClosedRegion*:Topology*:Growth.*
-vertices_of_others  | src/glass/crack_map.cpp         | s/is_taken(joint, met)) return false/false) return false/ | Crack*:ClosedRegion*:Topology*:Growth.*
-edge_met_unchecked  | src/glass/crack_map.cpp         | s/return within(from, joint, segment) \&\& /return / | Crack*:ClosedRegion*:Topology*:Growth.*
-off_the_edge        | src/glass/crack_map.cpp         | s/is_beside(joint, segment) \&\& //                | Crack*:ClosedRegion*:Topology*:Growth.*
-vertex_a_place_off  | src/glass/crack_map.cpp         | s/points\.begin() + place + 1/points.begin() + place/ | Crack*:ClosedRegion*:Topology*:Growth.*
-regions_unseen      | src/glass/crack_map.cpp         | s/closed_region(crack, touched)}/{}}/       | Crack*:ClosedRegion*:Topology*:Growth.*
+warning_in_the_glass| templates/includes/shatterpave_glass.inc | s/diffuse 0\.6\$/diffuse 0.6, 0.6/                 | *Render*pane*
+joints_unchecked    | src/glass/map/crack_map.cpp         | s/can_join(from, joint, hit\.segment)) return/true) return/ | Crack*:ClosedRegion*:Topology*:Growth.*
+vertices_of_others  | src/glass/map/crack_map.cpp         | s/is_taken(joint, met)) return false/false) return false/ | Crack*:ClosedRegion*:Topology*:Growth.*
+edge_met_unchecked  | src/glass/map/crack_map.cpp         | s/return within(from, joint, segment) \&\& /return / | Crack*:ClosedRegion*:Topology*:Growth.*
+off_the_edge        | src/glass/map/crack_map.cpp         | s/is_beside(joint, segment) \&\& //                | Crack*:ClosedRegion*:Topology*:Growth.*
+vertex_a_place_off  | src/glass/map/crack_map.cpp         | s/points\.begin() + place + 1/points.begin() + place/ | Crack*:ClosedRegion*:Topology*:Growth.*
+regions_unseen      | src/glass/map/crack_map.cpp         | s/closed_region(crack, touched)}/{}}/       | Crack*:ClosedRegion*:Topology*:Growth.*
 "
 
 scratch=$(mktemp -d)

@@ -15,7 +15,7 @@
 
 #include "core/random.h"
 #include "geometry/lattice.h"
-#include "glass/growth.h"
+#include "glass/breaking.h"
 
 namespace {
 
@@ -47,14 +47,14 @@ enum class Memory { kept, fresh };
 void grow(benchmark::State& state, const glass::Pane& pane, Memory memory) {
   double steps = 0.0;
   std::uint64_t seed = 1;
-  if (memory == Memory::kept) benchmark::DoNotOptimize(glass::grown_cracks(pane, seed));
+  if (memory == Memory::kept) benchmark::DoNotOptimize(glass::broken(pane, seed));
   for (auto _ : state) {
     if (memory == Memory::fresh) {
       state.PauseTiming();
       malloc_trim(0);
       state.ResumeTiming();
     }
-    const glass::CrackNetwork network = glass::grown_cracks(pane, seed++);
+    const glass::CrackNetwork network = glass::broken(pane, seed++);
     steps += tip_steps(network);
   }
   state.counters["tip_steps"] = benchmark::Counter(steps, benchmark::Counter::kAvgIterations);

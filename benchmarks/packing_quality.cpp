@@ -19,7 +19,7 @@
 #include "paving/laying.h"
 #include "paving/layout_quality.h"
 #include "paving/paved_areas.h"
-#include "scene/plan_areas.h"
+#include "scene/plans/plan_areas.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "cli/usage.h"
 #include "core/error.h"
-#include "glass/counts.h"
+#include "glass/growth/counts.h"
 
 namespace shatterpave::cli {
 

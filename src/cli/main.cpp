@@ -20,12 +20,12 @@
 #include "core/cancel.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "export/measures/measures.h"
 #include "pipeline/generate.h"
 #include "pipeline/measure.h"
 #include "pipeline/outlook.h"
 #include "pipeline/render.h"
 #include "pipeline/write.h"
+#include "report/measures.h"
 #include "scene/read_scene.h"
 
 namespace {
@@ -64,9 +64,9 @@ void run(const cli::Measure& job, char** /*argv*/) {
   std::vector<exporting::OutputFile> files;
   {
     cli::ProgressBar bar;
-    files = exporting::measures_files(pipeline::surveyed(scene, job.options, bar.progress()));
+    files = reporting::measures_files(pipeline::surveyed(scene, job.options, bar.progress()));
   }
-  if (!exporting::has_plots()) {
+  if (!reporting::has_plots()) {
     cli::tell("shatterpave: the report was left out, since this build has no plotting library (see docs/measure.md)\n");
   }
   const cli::SignalNotes notes;

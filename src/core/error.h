@@ -19,7 +19,7 @@ struct Place {
 
 // Bad input or usage: exit status 2. `what()` is one line, `file:line:column: key: expected …, got …`, with the parts that
 // are known. A room that knows no file gives the thing's name and the member's path for a key, `window.impact[1].at_mm`; who
-// has the scene file puts the place there (scene/key_places.h).
+// has the scene file puts the place there (scene/toml/key_places.h).
 class InputError : public std::runtime_error {
  public:
   InputError(const Place& place, const std::string& message);

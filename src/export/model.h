@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "glass/crack_surface.h"
+#include "glass/gaps/crack_surface.h"
 #include "glass/network.h"
 #include "glass/pane.h"
-#include "glass/shards.h"
+#include "glass/shards/shards.h"
 #include "paving/pavement.h"
 #include "paving/seamless.h"
 #include "paving/stones.h"

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "glass/network.h"
-#include "glass/shards.h"
+#include "glass/shards/shards.h"
 #include "paving/stones.h"
 
 namespace shatterpave::exporting {

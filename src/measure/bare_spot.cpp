@@ -8,7 +8,7 @@
 #include "core/functions.h"
 #include "core/parallel.h"
 #include "measure/open_ground.h"
-#include "paving/border.h"
+#include "paving/bonds/border.h"
 
 namespace shatterpave::measure {
 

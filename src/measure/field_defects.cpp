@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "paving/rows.h"
+#include "paving/packing/rows.h"
 
 namespace shatterpave::measure {
 

@@ -24,7 +24,7 @@
 #include <cstddef>
 
 #include "geometry/region_index.h"
-#include "paving/direction_field.h"
+#include "paving/field/direction_field.h"
 #include "paving/pavement.h"
 
 namespace shatterpave::measure {

@@ -5,7 +5,7 @@
 
 #include "geometry/clip.h"
 #include "geometry/lattice.h"
-#include "paving/packing.h"
+#include "paving/packing/packing.h"
 
 namespace shatterpave::measure {
 
@@ -18,8 +18,8 @@ using geometry::Region;
 // Pitches to a side of a tile: Clipper takes more than linear time, many tiles cost more at their borders; by trial.
 constexpr double tile_pitches = 8.0;
 // Stones are grown by so much more, so that neighbours overlap for certain, also where they are laid without joints (10 µm
-// apart from their border each, paving/cutting.cpp). Rounding to the lattice else leaves slits a few µm wide along half of the
-// joints, which take Clipper long, and now and then lead it to lose a whole stone.
+// apart from their border each, paving/tiles/cutting.cpp). Rounding to the lattice else leaves slits a few µm wide along half
+// of the joints, which take Clipper long, and now and then lead it to lose a whole stone.
 constexpr double hairline_mm = 0.02;
 
 Polygon rectangle(const Box& box) { return {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}; }

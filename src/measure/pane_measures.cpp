@@ -6,7 +6,7 @@
 #include <span>
 
 #include "geometry/region_index.h"
-#include "glass/dice_shape.h"
+#include "glass/dicing/dice_shape.h"
 #include "measure/crossings.h"
 #include "measure/experiment.h"
 #include "measure/fragments.h"

@@ -11,11 +11,11 @@
 #include "measure/bare_spot.h"
 #include "measure/coverage.h"
 #include "measure/stone_index.h"
-#include "paving/bond.h"
-#include "paving/border.h"
-#include "paving/cells.h"
-#include "paving/direction_field.h"
-#include "paving/packing.h"
+#include "paving/bonds/bond.h"
+#include "paving/bonds/border.h"
+#include "paving/field/direction_field.h"
+#include "paving/packing/packing.h"
+#include "paving/packing/particle_cells.h"
 
 namespace shatterpave::measure {
 
@@ -222,7 +222,7 @@ void part(std::vector<paving::Particle>& particles) {
   }
 }
 
-// The neighbourhood of the stones of a packing, from their middles, as regions are made from particles (paving/cells.h).
+// The neighbourhood of the stones of a packing, from their middles, as regions are made from particles (paving/tiles/cells.h).
 paving::Cells neighbourhood(const Pavement& pavement, const std::vector<StoneMeasures>& stones,
                             const paving::DirectionField& field) {
   std::vector<paving::Particle> particles(stones.size());

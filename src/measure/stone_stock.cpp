@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "geometry/hull.h"
-#include "paving/bond.h"
-#include "paving/border.h"
-#include "paving/packing.h"
+#include "paving/bonds/bond.h"
+#include "paving/bonds/border.h"
+#include "paving/packing/packing.h"
 
 namespace shatterpave::measure {
 

@@ -16,7 +16,7 @@ struct StockLimit {
   std::optional<double> most;
 };
 
-// Of the stones of the bond, as paving/bond.h says what `stone_mm` means.
+// Of the stones of the bond, as paving/bonds/bond.h says what `stone_mm` means.
 StockLimit stock_limit(const paving::Pavement& pavement);
 // Of the stones of the border course, if there is one.
 StockLimit border_stock_limit(const paving::Pavement& pavement);

@@ -8,13 +8,14 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "paving/bond.h"
-#include "paving/border.h"
-#include "paving/cells.h"
-#include "paving/cutting.h"
-#include "paving/packing.h"
-#include "paving/settling.h"
-#include "paving/variation.h"
+#include "paving/bonds/bond.h"
+#include "paving/bonds/border.h"
+#include "paving/packing/packing.h"
+#include "paving/packing/particle_cells.h"
+#include "paving/packing/settling.h"
+#include "paving/tiles/cells.h"
+#include "paving/tiles/cutting.h"
+#include "paving/tiles/variation.h"
 
 namespace shatterpave::paving {
 

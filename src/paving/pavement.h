@@ -38,7 +38,7 @@ struct GuidesDirection {
 
 using Direction = std::variant<ConstantDirection, BoundaryDirection, RadialDirection, GuidesDirection>;
 
-// The bond: the rule by which stones are laid. What each makes of `stone_mm` is told in paving/bond.h.
+// The bond: the rule by which stones are laid. What each makes of `stone_mm` is told in paving/bonds/bond.h.
 enum class Bond {
   packed,         // square packing along the direction field (Miyata and Itoh §3)
   running,        // rows, each moved on against the last
@@ -85,7 +85,7 @@ struct StoneSurface {
   bool operator==(const StoneSurface&) const = default;
 };
 
-// How the faces of stones are worked, as the trade names it (paving/finishes.h).
+// How the faces of stones are worked, as the trade names it (paving/catalogue/finishes.h).
 enum class Finish {
   none,  // the paper's patch, as StoneSurface says
   flat_sawn,
@@ -161,7 +161,7 @@ struct Ground {
   bool operator==(const Ground&) const = default;
 };
 
-// Kerb stones along the outline of a pavement, outside (paving/kerb.h).
+// Kerb stones along the outline of a pavement, outside (paving/derived/kerb.h).
 struct Kerb {
   double width_mm = 0.0;     // >= 0; 0: none
   double length_mm = 900.0;  // of a stone, > 0
@@ -169,7 +169,7 @@ struct Kerb {
   bool operator==(const Kerb&) const = default;
 };
 
-// A pavement laid as a flight of steps, one for each row along its direction (paving/steps.h).
+// A pavement laid as a flight of steps, one for each row along its direction (paving/derived/steps.h).
 struct Flight {
   double riser_mm = 150.0;  // how much higher each step is than the last, not 0; below 0: lower
   double tread_mm = 350.0;  // from front to front, > 0
@@ -205,6 +205,9 @@ struct Pavement {
 
   bool operator==(const Pavement&) const = default;
 };
+
+// From one stone to the next: along the rows, across them (mm). A stone and a joint.
+inline vec2 pitch_mm(const Pavement& pavement) { return pavement.stone_mm + vec2{pavement.joint_mm, pavement.joint_mm}; }
 
 // Of the pavement that the kerb stones of `pavement` are.
 inline std::string kerb_name(const Pavement& pavement) { return pavement.name + "_kerb"; }

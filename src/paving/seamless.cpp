@@ -11,10 +11,10 @@
 
 #include "core/error.h"
 #include "geometry/lattice.h"
-#include "paving/bond.h"
-#include "paving/cutting.h"
-#include "paving/packing.h"
-#include "paving/variation.h"
+#include "paving/bonds/bond.h"
+#include "paving/packing/packing.h"
+#include "paving/tiles/cutting.h"
+#include "paving/tiles/variation.h"
 
 namespace shatterpave::paving {
 

@@ -8,11 +8,11 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "glass/crack_surface.h"
-#include "glass/dice.h"
-#include "glass/growth.h"
-#include "glass/shards.h"
-#include "paving/kerb.h"
+#include "glass/breaking.h"
+#include "glass/dicing/dice.h"
+#include "glass/gaps/crack_surface.h"
+#include "glass/shards/shards.h"
+#include "paving/derived/kerb.h"
 #include "paving/laying.h"
 #include "paving/seamless.h"
 #include "pipeline/placed.h"
@@ -44,7 +44,7 @@ void with_kerb_places(const scene::KeyPlaces& places, const std::function<void()
 }
 
 void break_pane(exporting::BrokenPane& broken, std::uint64_t seed) {
-  broken.network = glass::grown_cracks(broken.pane, seed);
+  broken.network = glass::broken(broken.pane, seed);
   if (broken.pane.shards) {
     broken.shards = glass::shards(broken.pane, broken.network, seed);
   } else if (broken.pane.crack_body == glass::CrackBody::sheet) {

@@ -11,8 +11,8 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "glass/counts.h"
-#include "glass/growth.h"
+#include "glass/breaking.h"
+#include "glass/growth/counts.h"
 #include "paving/laying.h"
 
 namespace shatterpave::pipeline {
@@ -95,7 +95,7 @@ class Surveyor {
   Broken broken(std::size_t index) const {
     const glass::Pane pane = pane_at(index);
     Broken result;
-    result.network = glass::grown_cracks(pane, seed_at(index));
+    result.network = glass::broken(pane, seed_at(index));
     result.measures = measure::measured(result.network, pane);
     if (!is_specimen(index)) result.network = {};
     return result;

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "geometry/clip.h"
-#include "paving/border.h"
-#include "paving/packing.h"
+#include "paving/bonds/border.h"
+#include "paving/packing/packing.h"
 
 namespace shatterpave::pipeline {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "scene/key_places.h"
+#include "scene/toml/key_places.h"
 
 namespace shatterpave::pipeline {
 

@@ -9,13 +9,13 @@
 
 #include "core/embedded.h"
 #include "core/sha256.h"
-#include "scene/apply_override.h"
-#include "scene/idle_keys.h"
 #include "scene/input_file.h"
-#include "scene/keys.h"
-#include "scene/pane_section.h"
-#include "scene/pavement_section.h"
-#include "scene/toml_table.h"
+#include "scene/schema/idle_keys.h"
+#include "scene/schema/keys.h"
+#include "scene/schema/pane_section.h"
+#include "scene/schema/pavement_section.h"
+#include "scene/toml/apply_override.h"
+#include "scene/toml/toml_table.h"
 
 namespace shatterpave::scene {
 

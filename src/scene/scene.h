@@ -8,7 +8,7 @@
 #include "core/notes.h"
 #include "glass/pane.h"
 #include "paving/pavement.h"
-#include "scene/key_places.h"
+#include "scene/toml/key_places.h"
 
 namespace shatterpave::scene {
 

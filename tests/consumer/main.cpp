@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "export/json/geometry_json.h"
-#include "glass/growth.h"
+#include "glass/breaking.h"
 
 int main() {
   using namespace shatterpave;
@@ -16,6 +16,6 @@ int main() {
   impact.at_mm = {150.0, 150.0};
   impact.radial_count = 24;
   pane.impacts.push_back(impact);
-  model.panes.push_back({pane, glass::grown_cracks(pane, model.seed)});
+  model.panes.push_back({pane, glass::broken(pane, model.seed)});
   std::cout << exporting::json_file(model).content;
 }

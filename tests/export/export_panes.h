@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "export/model.h"
-#include "glass/crack_surface.h"
-#include "glass/growth.h"
-#include "glass/shards.h"
+#include "glass/breaking.h"
+#include "glass/gaps/crack_surface.h"
+#include "glass/shards/shards.h"
 
 namespace shatterpave::support {
 
@@ -23,7 +23,7 @@ inline glass::Pane pane_with(int radial_count) {
 }
 
 inline exporting::BrokenPane broken_pane(const glass::Pane& pane) {
-  exporting::BrokenPane broken{pane, glass::grown_cracks(pane, 7)};
+  exporting::BrokenPane broken{pane, glass::broken(pane, 7)};
   if (pane.crack_body == glass::CrackBody::sheet) broken.surfaces = glass::crack_surfaces(pane, broken.network, 7);
   return broken;
 }
@@ -37,7 +37,7 @@ inline exporting::BrokenPane shattered_pane(int radial_count, bool joined = fals
   broken.pane.shards->missing_mm = 80.0;
   broken.pane.shards->fallen = 0.5;
   broken.pane.shards->joined = joined;
-  broken.network = glass::grown_cracks(broken.pane, 7);
+  broken.network = glass::broken(broken.pane, 7);
   broken.shards = glass::shards(broken.pane, broken.network, 7);
   return broken;
 }

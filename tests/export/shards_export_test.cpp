@@ -12,9 +12,9 @@
 
 #include "core/error.h"
 #include "core/vec.h"
+#include "export/export_panes.h"
 #include "export/json/geometry_json.h"
 #include "export/obj/shards_obj.h"
-#include "export_panes.h"
 #include "geometry/solid.h"
 
 namespace shatterpave::exporting {

@@ -9,8 +9,8 @@
 #include "core/angle.h"
 #include "core/random.h"
 #include "geometry/polygon.h"
-#include "glass/crack_faces.h"
-#include "glass/crack_map.h"
+#include "glass/gaps/crack_faces.h"
+#include "glass/map/crack_map.h"
 
 namespace shatterpave::glass {
 namespace {

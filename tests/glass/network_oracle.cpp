@@ -7,7 +7,7 @@
 
 #include "geometry/lattice.h"
 #include "geometry/predicates.h"
-#include "glass/crack_faces.h"
+#include "glass/gaps/crack_faces.h"
 
 namespace shatterpave::glass {
 

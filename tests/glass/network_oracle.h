@@ -12,7 +12,7 @@ namespace shatterpave::glass {
 // What the lists of faults below are to be compared with.
 inline const std::vector<std::string> nothing;
 
-// One line for each promise of glass/network.h and glass/growth.h that the network breaks; empty if it is sound:
+// One line for each promise of glass/network.h and glass/growth/growth.h that the network breaks; empty if it is sound:
 // - cracks lie on the lattice and in the pane; one that meets the edge ends there;
 // - two cracks have no stretch in common, do not cross, and meet only where one of them starts or ends;
 // - each starts and ends where its record says.

@@ -7,8 +7,8 @@
 #include "core/random.h"
 #include "geometry/lattice.h"
 #include "geometry/simple.h"
-#include "glass/growth.h"
-#include "glass/steering.h"
+#include "glass/breaking.h"
+#include "glass/growth/steering.h"
 
 namespace shatterpave::glass {
 
@@ -111,7 +111,7 @@ vec2 place(const Pane& pane, std::uint64_t seed, Draws& draws) {
   if (kind == 0) return corner(from) + some_um(draws);
   if (kind == 1) return glm::mix(corner(from), corner(from + 1), draws.between(0.0, 1.0)) + some_um(draws);
   if (kind <= 3 && !pane.impacts.empty()) {
-    const CrackNetwork network = grown_cracks(pane, seed);
+    const CrackNetwork network = broken(pane, seed);
     if (network.cracks.empty()) return pane.impacts.front().at_mm;
     const Crack& crack = network.cracks[static_cast<std::size_t>(draws.count(0, static_cast<int>(network.cracks.size()) - 1))];
     const int i = draws.count(1, static_cast<int>(crack.points_mm.size()) - 1);

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "glass/growth.h"
+#include "glass/breaking.h"
 #include "glass/network_oracle.h"
 #include "glass/random_panes.h"
 
@@ -15,7 +15,7 @@ TEST(Topology, HoldsInOddPanes) {
   std::map<CrackEnd::At, int> ends;
   for (std::uint64_t seed = 1; seed <= 250; ++seed) {
     const Pane pane = random_pane(seed, {});
-    const CrackNetwork network = grown_cracks(pane, seed);
+    const CrackNetwork network = broken(pane, seed);
     EXPECT_EQ(faults(network, pane.outline_mm), nothing) << "pane " << seed;
     EXPECT_EQ(enclosure_faults(network), nothing) << "pane " << seed;
     for (const Crack& crack : network.cracks) ++ends[crack.end.at];

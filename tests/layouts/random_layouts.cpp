@@ -27,10 +27,10 @@
 #include "layouts/random_pavement.h"
 #include "measure/bare_spot.h"
 #include "measure/stone_index.h"
-#include "paving/border.h"
-#include "paving/kerb.h"
+#include "paving/bonds/border.h"
+#include "paving/derived/kerb.h"
 #include "paving/laying.h"
-#include "scene/plan_areas.h"
+#include "scene/plans/plan_areas.h"
 #include "scene/read_scene.h"
 
 namespace {

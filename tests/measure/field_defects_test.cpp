@@ -4,7 +4,7 @@
 
 #include "core/functions.h"
 #include "geometry/region_index.h"
-#include "paving/packing.h"
+#include "paving/packing/packing.h"
 #include "paving/paved_areas.h"
 
 namespace shatterpave::measure {

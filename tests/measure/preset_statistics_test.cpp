@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "glass/growth.h"
+#include "glass/breaking.h"
 #include "glass/presets.h"
 #include "measure/distribution.h"
 #include "measure/pane_measures.h"
@@ -32,8 +32,7 @@ glass::Pane pane_of(const glass::Preset& preset) {
 // Measures of panes of one kind with different seeds.
 std::vector<ImpactMeasures> measures_of(const glass::Pane& pane, std::size_t count, std::uint64_t first_seed) {
   std::vector<ImpactMeasures> result(count);
-  parallel_for(count,
-               [&](std::size_t i) { result[i] = measured(glass::grown_cracks(pane, first_seed + i), pane).impacts.front(); });
+  parallel_for(count, [&](std::size_t i) { result[i] = measured(glass::broken(pane, first_seed + i), pane).impacts.front(); });
   return result;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "glass/growth.h"
+#include "glass/breaking.h"
 #include "measure/summary.h"
 
 namespace shatterpave::measure {
@@ -28,7 +28,7 @@ Summary summary_of(int count, const glass::Growth& growth, const Change& change 
     impact.at_mm = {150.0, 150.0};
     impact.radial_count = 24 + static_cast<int>(171 * i / (measures.size() - 1));
     pane.impacts = {impact};
-    glass::CrackNetwork network = glass::grown_cracks(pane, 100 + i);
+    glass::CrackNetwork network = glass::broken(pane, 100 + i);
     if (change) change(network);
     measures[i] = measured(network, pane);
   });

@@ -8,10 +8,10 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/lattice.h"
-#include "paving/cutting.h"
 #include "paving/layout_quality.h"
 #include "paving/paved_areas.h"
-#include "scene/plan_areas.h"
+#include "paving/tiles/cutting.h"
+#include "scene/plans/plan_areas.h"
 #include "support/shared_data.h"
 
 namespace shatterpave::paving {

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "geometry/lattice.h"
-#include "paving/bond.h"
+#include "paving/bonds/bond.h"
 
 namespace shatterpave::paving {
 namespace {

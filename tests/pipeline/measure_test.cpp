@@ -4,8 +4,8 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "export/measures/measures.h"
-#include "glass/growth.h"
+#include "glass/breaking.h"
+#include "report/measures.h"
 #include "scene/read_scene.h"
 
 namespace shatterpave::pipeline {
@@ -35,8 +35,8 @@ TEST(Surveyed, BreaksEachPaneWithEachSeed) {
   EXPECT_EQ(survey.panes[4].impacts[1].drawn.radial_count, 5);
   // As export would have broken it.
   const glass::Pane window = scene_of().panes[0];
-  EXPECT_EQ(survey.panes[4].impacts[0].drawn, glass::grown_cracks(window, 42).impacts[0]);
-  EXPECT_EQ(survey.specimens[4].network, glass::grown_cracks(window, 42));
+  EXPECT_EQ(survey.panes[4].impacts[0].drawn, glass::broken(window, 42).impacts[0]);
+  EXPECT_EQ(survey.specimens[4].network, glass::broken(window, 42));
   EXPECT_FALSE(survey.count_law) << "the panes have two laws";
   EXPECT_EQ(surveyed(scene_of(), {"s.toml", 1, {}}).count_law, (measure::CountLaw{20.0, 1.0}));
 }
@@ -60,7 +60,7 @@ TEST(SurveyThreads, DoNotShow) {
   const auto files = [&](int threads) {
     const ThreadLimit limit(threads);
     const measure::Survey survey = surveyed(scene, options);
-    return exporting::measures_csv(survey) + exporting::measures_json(survey);
+    return reporting::measures_csv(survey) + reporting::measures_json(survey);
   };
   const std::string first = files(1);
   EXPECT_EQ(files(2), first);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/random.h"
-#include "scene/plan_areas.h"
+#include "scene/plans/plan_areas.h"
 #include "scene/read_scene.h"
 
 namespace shatterpave::scene {

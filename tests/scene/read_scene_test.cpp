@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "glass/presets.h"
-#include "paving/finishes.h"
-#include "paving/stone_sizes.h"
+#include "paving/catalogue/finishes.h"
+#include "paving/catalogue/stone_sizes.h"
 
 namespace shatterpave::scene {
 namespace {

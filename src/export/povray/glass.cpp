@@ -10,7 +10,7 @@
 #include "export/povray/sdl.h"
 #include "export/povray/shards.h"
 #include "export/povray/sheets.h"
-#include "export/povray/tubes.h"
+#include "export/shapes/tubes.h"
 #include "geometry/polygon.h"
 
 namespace shatterpave::exporting::povray {
@@ -66,10 +66,10 @@ void append_declaration(std::string& text, const std::string& name, const std::v
   if (!objects.empty()) text += fmt::format("#declare {} =\n{}\n", name, together(objects));
 }
 
-std::vector<std::string> tube_texts(const std::vector<Tube>& tubes) {
+std::vector<std::string> tube_texts(const std::vector<shapes::Tube>& tubes) {
   std::vector<std::string> texts;
   int crack = -1;
-  for (const Tube& tube : tubes) {
+  for (const shapes::Tube& tube : tubes) {
     std::string text;
     if (tube.crack != crack) text += fmt::format("   // crack {}\n", tube.crack);
     crack = tube.crack;
@@ -242,16 +242,16 @@ IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix,
 }
 
 // The tubes of the cracks within joined shards.
-std::vector<Tube> joined_tubes(const BrokenPane& broken) {
+std::vector<shapes::Tube> joined_tubes(const BrokenPane& broken) {
   std::vector<geometry::Region> bodies;
   for (const glass::Shard& shard : broken.shards) {
     if (!shard.joined.empty()) bodies.push_back(shard.face);
   }
-  return bodies.empty() ? std::vector<Tube>{} : tubes_within(broken.pane, broken.network, bodies);
+  return bodies.empty() ? std::vector<shapes::Tube>{} : shapes::tubes_within(broken.pane, broken.network, bodies);
 }
 
 OutputFile shards_include(const BrokenPane& broken, const std::string& prefix) {
-  const std::vector<Tube> tubes = joined_tubes(broken);
+  const std::vector<shapes::Tube> tubes = joined_tubes(broken);
   std::string text = "#include \"shatterpave_shards.inc\"\n";
   text += tubes.empty() ? "\n" : "#include \"shatterpave_glass.inc\"\n\n";
   append_slab(text, broken.pane, prefix);
@@ -272,7 +272,7 @@ OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
   if (body == Body::sheets) {
     groups = crack_groups(broken, prefix);
   } else {
-    const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
+    const shapes::TubedCracks cracks = shapes::tubed_cracks(broken.pane, broken.network);
     zones = cracks.zones;
     if (!cracks.tubes.empty()) groups.push_back({prefix + "_Cracks", std::string(own_tubes), tube_texts(cracks.tubes)});
   }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "geometry/lattice.h"
-#include "paving/ground.h"
-#include "paving/stone_surface.h"
+#include "paving/surface/ground.h"
+#include "paving/surface/stone_surface.h"
 
 namespace shatterpave::exporting::povray {
 

@@ -1,10 +1,10 @@
 // Cracks as gaps of air for POV-Ray: closed mesh2 objects within a slab of glass, no two of which touch
-// (glass/crack_surface.h).
+// (glass/gaps/crack_surface.h).
 #pragma once
 
 #include <string>
 
-#include "glass/crack_surface.h"
+#include "glass/gaps/crack_surface.h"
 
 namespace shatterpave::exporting::povray {
 

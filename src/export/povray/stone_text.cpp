@@ -7,10 +7,11 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "export/povray/stone_mesh.h"
+#include "export/shapes/stone_mesh.h"
+#include "export/shapes/tones.h"
 #include "geometry/lattice.h"
-#include "paving/laid_surface.h"
-#include "paving/stone_surface.h"
+#include "paving/surface/laid_surface.h"
+#include "paving/surface/stone_surface.h"
 
 namespace shatterpave::exporting::povray {
 
@@ -18,8 +19,6 @@ namespace {
 
 using geometry::BezierPatch;
 using paving::StoneDraws;
-
-int tone_of(const StoneDraws& draws) { return std::min(stone_tones - 1, static_cast<int>(draws.colour * stone_tones)); }
 
 // Five decimals of an image that is five stones wide: a two-hundredth of its pixel.
 void append_texture_place(std::string& text, vec2 place) {
@@ -93,7 +92,7 @@ struct Making {
   const paving::LaidSurface& surface;
 };
 
-void append_vertices(StoneText& result, const StoneMesh& mesh, double side_mm, vec2 centre, const StoneDraws& draws) {
+void append_vertices(StoneText& result, const shapes::StoneMesh& mesh, double side_mm, vec2 centre, const StoneDraws& draws) {
   for (const vec3& vertex : mesh.vertices) {
     append_stone_point(result.vertices, vertex);
     append_texture_place(result.places, draws.relief_place + (vec2{vertex.x, vertex.y} - centre) / side_mm);
@@ -102,7 +101,7 @@ void append_vertices(StoneText& result, const StoneMesh& mesh, double side_mm, v
   result.vertex_count = mesh.vertices.size();
 }
 
-std::string mesh_text(const StoneMesh& mesh, const std::string& vertices, const std::string& places) {
+std::string mesh_text(const shapes::StoneMesh& mesh, const std::string& vertices, const std::string& places) {
   std::string text =
       fmt::format("mesh2{{vertex_vectors{{{},{}}}normal_vectors{{{},", mesh.vertices.size(), vertices, mesh.normals.size());
   for (const vec3& normal : mesh.normals) append_stone_point(text, normal);
@@ -121,7 +120,7 @@ StoneText stone_text(const Making& making, std::size_t index) {
   const double size_mm = std::sqrt(geometry::area(stone.outline_mm));
   StoneDraws draws = making.surface.draws(index);
   StoneText result;
-  result.tone = tone_of(draws);
+  result.tone = shapes::tone_of(draws.colour);
   result.wear = std::min(wear_classes - 1, static_cast<int>(making.surface.traffic(index) * wear_classes));
   const Fineness fine = fineness(pavement, centre, size_mm);
   if (!fine.chips && draws.body) draws.body->chips_per_m = 0.0;
@@ -139,12 +138,12 @@ StoneText stone_text(const Making& making, std::size_t index) {
     return result;
   }
   if (fine.form == Form::prism) {
-    append_vertices(result, prism(stone.outline_mm, patches, making.paved.pavement.body.arris_mm), making.relief_side_mm,
-                    centre, draws);
+    append_vertices(result, shapes::prism(stone.outline_mm, patches, making.paved.pavement.body.arris_mm),
+                    making.relief_side_mm, centre, draws);
     return result;
   }
-  const ReliefWindow window{making.relief, draws.relief_place, centre, making.relief_side_mm, draws.relief};
-  const StoneMesh mesh = displaced(patches, window, pavement.detail->mesh_mm);
+  const shapes::ReliefWindow window{making.relief, draws.relief_place, centre, making.relief_side_mm, draws.relief};
+  const shapes::StoneMesh mesh = shapes::displaced(patches, window, pavement.detail->mesh_mm);
   append_vertices(result, mesh, making.relief_side_mm, centre, draws);
   result.text = mesh_text(mesh, result.vertices, result.places);
   result.vertices.clear();

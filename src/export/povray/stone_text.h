@@ -13,7 +13,6 @@
 
 namespace shatterpave::exporting::povray {
 
-inline constexpr int stone_tones = 24;
 // Classes of wear, from rough to polished; only the first without wear.
 inline constexpr int wear_classes = 3;
 

@@ -11,7 +11,8 @@
 #include "export/povray/pavement_ground.h"
 #include "export/povray/pavement_look.h"
 #include "export/povray/stone_text.h"
-#include "export/stone_relief.h"
+#include "export/shapes/stone_relief.h"
+#include "export/shapes/tones.h"
 #include "relief/raster.h"
 
 namespace shatterpave::exporting::povray {
@@ -33,11 +34,11 @@ bool has_many_normals(const paving::Pavement& pavement) {
 
 // `field` is given the heights.
 ReliefImage relief_image(const paving::Pavement& pavement, std::uint64_t seed, relief::HeightField& field) {
-  const relief::FractalSurface surface = stone_relief(pavement);
+  const relief::FractalSurface surface = shapes::stone_relief(pavement);
   ReliefImage image;
   image.side_mm = surface.spacing_mm * static_cast<double>(surface.size);
   if (pavement.relief.rms_mm == 0.0) return image;
-  field = stone_relief_heights(pavement, seed);
+  field = shapes::stone_relief_heights(pavement, seed);
   const relief::HeightImage heights = relief::height_image(field);
   image.bump_size = heights.range_mm / surface.spacing_mm;
   image.png = relief::encoded(heights.raster, relief::RasterFormat::png16);
@@ -97,7 +98,7 @@ void append_group(std::string& text, const std::string& prefix, std::span<const 
   }
   text += far;
   if (many_normals) text += fmt::format("#declare {0}_Relief_Normal = {0}_Relief_Normals[{1}]\n", prefix, normal_of(group));
-  text += fmt::format("{}_Stone_Texture({}) }}\n", prefix, (group.tone + 0.5) / stone_tones);
+  text += fmt::format("{}_Stone_Texture({}) }}\n", prefix, shapes::colour_of(group.tone));
 }
 
 // One group for each tone, wear and kind that has a stone. Where there is no stone at all, something that is not seen stands
@@ -105,7 +106,7 @@ void append_group(std::string& text, const std::string& prefix, std::span<const 
 void append_stones(std::string& text, const std::string& prefix, const std::string& place, std::span<const StoneText> stones,
                    bool many_normals) {
   std::vector<Group> groups;
-  for (int tone = 0; tone < stone_tones; ++tone) {
+  for (int tone = 0; tone < shapes::stone_tones; ++tone) {
     for (int wear = 0; wear < wear_classes; ++wear) {
       for (const bool displaced : {false, true}) {
         const Group group{tone, wear, displaced};
@@ -203,7 +204,7 @@ std::vector<OutputFile> pavement_files(const PavedArea& paved, const std::string
   std::string text;
   text.reserve(length);
   text += header(pavement.name, prefix, stones.size(), pavement);
-  append_bounds(text, prefix, pavement, mean_size_mm(pavement));
+  append_bounds(text, prefix, pavement, shapes::mean_size_mm(pavement));
   text += settings(prefix, relief, image_name, pavement);
   append_stones(text, prefix, place, stones, has_many_normals(pavement));
   append_bed(text, prefix, pavement, seed);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "export/textures/fields.h"
-#include "paving/stone_surface.h"
+#include "paving/surface/stone_surface.h"
 
 namespace shatterpave::exporting::textures {
 

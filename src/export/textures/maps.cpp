@@ -111,7 +111,7 @@ struct Maps::Looks {
     }
     if (palette.cloud_mm() > 0.0) clouds.emplace(surface.fields.grain, map.grid.pixel_mm.y / palette.cloud_mm());
     const paving::StoneSurface& top = surface.pavement.surface;
-    // Of the single patch of the highest stone, see paving/stone_surface.h.
+    // Of the single patch of the highest stone, see paving/surface/stone_surface.h.
     const double highest_mm = 0.5625 * top.height_mm * (1.0 + top.height_spread);
     level = surface.pavement.body.finish == paving::Finish::none && top.height_mm == 0.0;
     parallel_for_chunks(stones.size(), stones_at_once, [&](std::size_t begin, std::size_t end) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "export/stone_relief.h"
+#include "export/shapes/stone_relief.h"
 
 namespace shatterpave::exporting::textures {
 
@@ -41,7 +41,7 @@ void raise_horizon(const float* here, const float* there, float per_mm, std::spa
 }  // namespace
 
 std::size_t occlusion_reach(const paving::Pavement& pavement, const PixelGrid& grid) {
-  const double reach_mm = std::max(joints_of_reach * pavement.joint_mm, stones_of_reach * mean_size_mm(pavement));
+  const double reach_mm = std::max(joints_of_reach * pavement.joint_mm, stones_of_reach * shapes::mean_size_mm(pavement));
   const double pixels = reach_mm / std::min(grid.pixel_mm.x, grid.pixel_mm.y);
   int reach = distances.front();
   for (const int distance : distances) {

@@ -9,7 +9,7 @@
 
 #include "core/angle.h"
 #include "core/functions.h"
-#include "export/povray/stone_text.h"
+#include "export/shapes/tones.h"
 
 namespace shatterpave::exporting::textures {
 
@@ -17,7 +17,7 @@ namespace {
 
 using paving::Material;
 
-// The quarry of templates/shatterpave_stone.inc: greys from cold to warm, some of them rusty, after granite setts.
+// The quarry of templates/includes/shatterpave_stone.inc: greys from cold to warm, some of them rusty, after granite setts.
 constexpr std::array<Colour, 7> quarry = {{{0.205F, 0.205F, 0.215F},
                                            {0.150F, 0.152F, 0.165F},
                                            {0.250F, 0.235F, 0.215F},
@@ -129,7 +129,7 @@ struct Tone {
 
 Colour sett_colour(Tone tone) {
   // The middle of the tone, as the POV-Ray target has it, and then what its template makes of that.
-  const auto step = static_cast<std::size_t>((tone.number + 0.5) / povray::stone_tones * 21.0);
+  const auto step = static_cast<std::size_t>(shapes::colour_of(tone.number) * 21.0);
   const double light = 0.98 + 0.44 * static_cast<double>(step * 5 % 21) / 20.0;
   return quarry.at(step * 3 % quarry.size()) * static_cast<float>(light);
 }
@@ -210,7 +210,7 @@ double Palette::mineral_mm() const { return traits(material_).mineral_mm; }
 double Palette::cloud_mm() const { return traits(material_).cloud_mm; }
 
 StoneLook Palette::stone(double colour) const {
-  const Tone tone{std::min(povray::stone_tones - 1, static_cast<int>(colour * povray::stone_tones))};
+  const Tone tone{shapes::tone_of(colour)};
   StoneLook look;
   look.colour = colour_of(material_, tone);
   look.roughness = traits(material_).roughness + 0.12F * static_cast<float>(colour);

@@ -1,5 +1,5 @@
 // The colours of stones and of what fills their joints: linear, of the primaries of sRGB. After the materials of the POV-Ray
-// target (templates/shatterpave_materials.inc): a stone has there and here the same colour of its own.
+// target (templates/includes/shatterpave_materials.inc): a stone has there and here the same colour of its own.
 #pragma once
 
 #include "core/vec.h"

@@ -12,7 +12,7 @@
 #include "core/parallel.h"
 #include "export/textures/bed.h"
 #include "export/textures/patch_fill.h"
-#include "paving/laid_surface.h"
+#include "paving/surface/laid_surface.h"
 
 namespace shatterpave::exporting::textures {
 

@@ -11,9 +11,9 @@
 
 #include "export/textures/fields.h"
 #include "export/textures/pixel_grid.h"
-#include "paving/laid_surface.h"
 #include "paving/pavement.h"
 #include "paving/stones.h"
+#include "paving/surface/laid_surface.h"
 
 namespace shatterpave::exporting::textures {
 

@@ -1,0 +1,430 @@
+// At each station of a crack's corridor stands a column of points through the thickness. How far each lies aside of the crack's
+// polyline follows from the lean there, which is a smooth noise along the crack, and from the bow; where that is more than the
+// corridor has room for, the whole column is brought nearer. Then the ends are cut off before what the crack ends on.
+
+#include "glass/gaps/crack_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include "core/functions.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "geometry/lattice.h"
+#include "glass/gaps/crack_corridor.h"
+#include "glass/gaps/crack_walls.h"
+
+namespace shatterpave::glass {
+
+namespace {
+
+using At = CrackEnd::At;
+
+// Points from face to face of the pane: more do not show in walls that bow by a few degrees.
+constexpr std::size_t rows_through = 5;
+// No gap is made where there is less room than this to either side: it would be a tenth of a hair.
+constexpr double least_room_mm = 0.012;
+// Of the room, the most that half the gap takes; and its least width, which is some steps of the lattice.
+constexpr double gap_share = 0.4;
+constexpr double least_half_gap_mm = 0.003;
+// The gap at its far side, by what it is where it opens, in cracks that run through. By eye.
+constexpr double far_opening = 0.35;
+// The same at the bottom of cracks that do not, and at tips within the glass.
+constexpr double closed = 0.1;
+// Over this share of a crack its gap narrows to a tip within the glass, and over this many thicknesses it gets shallower.
+constexpr double tip_share = 0.25;
+constexpr double tip_thicknesses = 3.0;
+// Shallowest share of the depth, at a tip; and how far, in thicknesses, a tip runs ahead on the side where the crack opens.
+constexpr double tip_depth = 0.45;
+constexpr double tip_lead = 0.5;
+// Longest step along a crack, in thicknesses and in lengths of twist.
+constexpr double step_thicknesses = 0.75;
+constexpr double step_twists = 0.12;
+// The zone about an impact: in thicknesses, and room on its ring for each radial (mm).
+constexpr double zone_thicknesses = 1.5;
+constexpr double ring_room_mm = 0.12;
+// How much wider a hole is on the far side, in thicknesses, where a scene does not say; and what is left about it.
+constexpr double spall_thicknesses = 4.5;
+constexpr double shot_hole_clearance_mm = 0.05;
+
+// ---- noise along a crack
+
+// In [-1, 1], smooth, another value a length of 1 on. Knots have draws of their own.
+double octave(std::uint64_t seed, const Address& address, double x) {
+  const double whole = std::floor(x);
+  const double part = x - whole;
+  const auto knot = [&](double at) {
+    return 2.0 * uniform(seed, {address.stream, address.element, address.draw + static_cast<std::uint32_t>(at)}) - 1.0;
+  };
+  const double smooth = part * part * (3.0 - 2.0 * part);
+  return knot(whole) + smooth * (knot(whole + 1.0) - knot(whole));
+}
+
+// Of two octaves, in [-1, 1]; x >= 0, below 2^30.
+double wave(std::uint64_t seed, Stream stream, const Id& crack, double x) {
+  return 0.72 * octave(seed, {stream, crack, 0}, x) + 0.28 * octave(seed, {stream, crack, 1U << 31U}, 3.0 * x);
+}
+
+// ---- a crack before it is cut off
+
+struct Shape {
+  double half_mm = 0.0;      // of the thickness, less the skin
+  double tilt_slope = 0.0;   // tangents of the largest lean
+  double curve_slope = 0.0;  // and of its change
+  double reach_mm = 0.0;     // of the walls to either side
+  double joint_clearance_mm = 0.0;
+  CorridorShape corridor;
+};
+
+double tangent(Angle angle) { return sine(angle.radians()) / cosine(angle.radians()); }
+
+Shape shape_of(const Pane& pane) {
+  const CrackSheet& sheet = pane.crack_sheet;
+  Shape shape;
+  shape.half_mm = 0.5 * pane.thickness_mm - crack_skin_mm;
+  shape.tilt_slope = tangent(sheet.tilt);
+  shape.curve_slope = tangent(sheet.curve);
+  const double opening = sheet.opening_mm * (1.0 + sheet.opening_variation);
+  shape.reach_mm = shape.half_mm * (shape.tilt_slope + 0.5 * shape.curve_slope) + 0.5 * opening + crack_clearance_mm;
+  const double step = std::min(step_thicknesses * pane.thickness_mm, step_twists * sheet.twist_mm);
+  shape.corridor.longest_step_mm = std::max(step, 0.1);
+  shape.corridor.reach_mm = shape.reach_mm;
+  shape.corridor.joint_mm = 2.5 * shape.reach_mm + shape.corridor.longest_step_mm;
+  // Between two rows a wall may lie nearer than at them: by its bow (a parabola's height over a quarter of the thickness), and
+  // by its twist (what four points of a face of the grid are off a plane).
+  const double row = 2.0 * shape.half_mm / static_cast<double>(rows_through - 1);
+  shape.joint_clearance_mm = crack_clearance_mm + row * shape.curve_slope / 8.0 +
+                             row * shape.tilt_slope * std::min(1.0, shape.corridor.longest_step_mm / sheet.twist_mm);
+  return shape;
+}
+
+class Builder {
+ public:
+  Builder(const Pane& pane, const CrackNetwork& network, const CrackSurfaces& impacts, std::uint64_t seed)
+      : pane_(pane),
+        network_(network),
+        impacts_(impacts),
+        seed_(seed),
+        shape_(shape_of(pane)),
+        corridors_(pane, network, impacts.zones, shape_.corridor) {}
+
+  std::size_t count() const { return corridors_.paths().size(); }
+  // The walls of a path, as many pieces as there is room for, and nothing cut off.
+  std::vector<Walls> walls(std::size_t path) const;
+  // Cuts them off where they end; `all` are those of all paths.
+  void cut(std::size_t path, std::vector<Walls>& own, const std::vector<std::vector<Walls>>& all) const;
+  CrackSurface surface(std::size_t path, const Walls& walls) const;
+
+ private:
+  struct Profile {       // of a whole crack
+    double side = 1.0;   // of z: where it opens
+    double depth = 1.0;  // share of the thickness
+    double length_mm = 0.0;
+    bool open_start = false;  // ends within the glass
+    bool open_end = false;
+  };
+  const Crack& crack(std::size_t path) const {
+    return network_.cracks[static_cast<std::size_t>(corridors_.paths()[path].crack)];
+  }
+  const ImpactZone& zone_of(std::size_t path) const { return impacts_.zones[static_cast<std::size_t>(crack(path).impact)]; }
+  Id id(std::size_t path) const { return Id(pane_.name).child("crack").child(static_cast<std::uint64_t>(crack(path).id)); }
+  Profile profile(std::size_t path) const;
+  void append_column(Walls& walls, const Station& station, const Profile& profile, const Id& id) const;
+  void cut_tip(std::size_t path, bool at_end, bool is_last, Walls& walls, const std::vector<std::vector<Walls>>& all) const;
+  double cut_zone(std::size_t path, bool at_end) const;
+  std::optional<Barrier> barrier(std::size_t path, bool at_end, const Walls& own,
+                                 const std::vector<std::vector<Walls>>& all) const;
+
+  const Pane& pane_;
+  const CrackNetwork& network_;
+  const CrackSurfaces& impacts_;  // their zones and holes
+  std::uint64_t seed_;
+  Shape shape_;
+  Corridors corridors_;
+};
+
+bool within_glass(const CrackEnd& end) { return end.at == At::open || end.at == At::enclosed; }
+
+Builder::Profile Builder::profile(std::size_t path) const {
+  const CrackPath& of = corridors_.paths()[path];
+  Profile result;
+  // The 3R rule: radial cracks open on the side away from the impact, ring cracks on that of the impact, which is the viewer's.
+  result.side = crack(path).kind == CrackKind::circular ? 1.0 : -1.0;
+  result.length_mm = corridors_.length_mm(path);
+  result.open_start = within_glass(of.start);
+  result.open_end = within_glass(of.end);
+  if (result.open_start || result.open_end) {
+    const CrackSheet& sheet = pane_.crack_sheet;
+    result.depth =
+        sheet.least_depth + (sheet.greatest_depth - sheet.least_depth) * uniform(seed_, {Stream::crack_depth, id(path)});
+  }
+  return result;
+}
+
+// 0 at a tip within the glass, 1 from `reach` on; 1 where there is no such tip.
+double from_tip(bool open_start, bool open_end, double along, double length, double reach) {
+  double nearest = 1.0;
+  if (open_start) nearest = std::min(nearest, along / reach);
+  if (open_end) nearest = std::min(nearest, (length - along) / reach);
+  return std::clamp(nearest, 0.0, 1.0);
+}
+
+void Builder::append_column(Walls& walls, const Station& station, const Profile& profile, const Id& id) const {
+  const CrackSheet& sheet = pane_.crack_sheet;
+  const double x = station.along_mm / sheet.twist_mm;
+  const auto tip = [&](double reach) {
+    return from_tip(profile.open_start, profile.open_end, station.along_mm, profile.length_mm, reach);
+  };
+  const double tilt = shape_.tilt_slope * wave(seed_, Stream::crack_tilt, id, x);
+  const double curve = shape_.curve_slope * wave(seed_, Stream::crack_curve, id, x);
+  const double narrow = closed + (1.0 - closed) * tip(tip_share * profile.length_mm);
+  const double opening =
+      sheet.opening_mm * narrow * (1.0 + sheet.opening_variation * wave(seed_, Stream::crack_opening, id, x));
+  const double depth = profile.depth * (tip_depth + (1.0 - tip_depth) * tip(tip_thicknesses * pane_.thickness_mm));
+  const double far = profile.depth < 1.0 ? closed : far_opening;
+  const double half_gap = std::min(0.5 * opening, gap_share * station.room_mm);
+
+  std::vector<double> heights;
+  std::vector<double> aside;
+  double farthest = 0.0;
+  for (std::size_t r = 0; r < walls.rows; ++r) {
+    const double t = static_cast<double>(r) / static_cast<double>(walls.rows - 1);
+    heights.push_back(profile.side * shape_.half_mm * (1.0 - 2.0 * depth * t));
+    const double z = heights.back();
+    aside.push_back(tilt * z + curve * (0.5 * z * z / shape_.half_mm - shape_.half_mm / 6.0));
+    farthest = std::max(farthest, std::abs(aside.back()));
+  }
+  const double room = station.room_mm - half_gap;
+  const double scale = farthest > room ? room / farthest : 1.0;
+  for (std::size_t r = 0; r < walls.rows; ++r) {
+    const double t = static_cast<double>(r) / static_cast<double>(walls.rows - 1);
+    const double gap = std::max(least_half_gap_mm, half_gap * (1.0 - (1.0 - far) * t));
+    const auto point = [&](double d) { return vec3{station.point_mm + d * station.across, heights[r]}; };
+    walls.left.push_back(point(scale * aside[r] + gap));
+    walls.right.push_back(point(scale * aside[r] - gap));
+  }
+  walls.along_mm.push_back(station.along_mm);
+}
+
+std::vector<Walls> Builder::walls(std::size_t path) const {
+  const std::vector<Station> stations = corridors_.stations(path);
+  const Profile shape = profile(path);
+  const Id element = id(path);
+  std::vector<Walls> result;
+  bool goes_on = false;
+  for (const Station& station : stations) {
+    if (station.room_mm < least_room_mm) {
+      goes_on = false;
+      continue;
+    }
+    if (!goes_on) result.push_back({rows_through, {}, {}, {}});
+    goes_on = true;
+    append_column(result.back(), station, shape, element);
+  }
+  std::erase_if(result, [](const Walls& walls) { return walls.columns() < 2; });
+  return result;
+}
+
+// A polygon about a circle.
+Pieces ring(vec2 centre, double radius_mm) {
+  constexpr int sides = 64;
+  Pieces pieces;
+  const auto corner = [&](int k) {
+    const SineAndCosine turn = sine_and_cosine(2.0 * pi * k / sides);
+    return centre + radius_mm / cosine(pi / sides) * vec2{turn.cosine, turn.sine};
+  };
+  for (int k = 0; k < sides; ++k) pieces.emplace_back(corner(k), corner(k + 1));
+  return pieces;
+}
+
+// What the cracks of an impact start from: the rim of its zone, or the wall of its hole.
+Barrier rim_of(const CrackSurfaces& impacts, const ImpactZone& zone) {
+  const auto has_its_centre = [&](const ShotHole& shot_hole) { return shot_hole.shape.centre_mm == zone.centre_mm; };
+  const auto found = std::ranges::find_if(impacts.shot_holes, has_its_centre);
+  if (found == impacts.shot_holes.end()) {
+    return {[rim = ring(zone.centre_mm, zone.radius_mm)](double) { return rim; }};
+  }
+  return {[shape = found->shape](double z) { return ring(shape.centre_mm, widest_mm(shape, z) + shot_hole_clearance_mm); },
+          true};
+}
+
+// What the start or the end of a path lies on; nothing where it is within the glass. `own` are walls that run towards it.
+std::optional<Barrier> Builder::barrier(std::size_t path, bool at_end, const Walls& own,
+                                        const std::vector<std::vector<Walls>>& all) const {
+  const CrackPath& of = corridors_.paths()[path];
+  const double zone = 2.0 * shape_.corridor.joint_mm + 2.0 * shape_.corridor.longest_step_mm;
+  if ((at_end ? of.end : of.start).at == At::edge) {
+    const vec3 tip = own.left.back();
+    const vec2 middle{tip.x, tip.y};
+    return Barrier{
+        [sides = corridors_.sides_near(middle - vec2{zone, zone}, middle + vec2{zone, zone})](double) { return sides; }};
+  }
+  if (!at_end && of.start.at == At::impact) return rim_of(impacts_, zone_of(path));
+  const CrackJoint* joint = corridors_.joint(path, at_end);
+  if (joint == nullptr) return std::nullopt;
+  const auto slice = [&all, zone, on = joint->on, along = joint->along_mm](double z) {
+    Pieces pieces;
+    for (const Walls& walls : all[on]) append_slice(walls, z, along - zone, along + zone, pieces);
+    return pieces;
+  };
+  return Barrier{slice, profile(joint->on).depth < 1.0};
+}
+
+// Cuts off the end of walls that run towards the end, or the start, of the path; `is_last`: they reach it.
+void Builder::cut_tip(std::size_t path, bool at_end, bool is_last, Walls& walls,
+                      const std::vector<std::vector<Walls>>& all) const {
+  const CrackEnd& end = at_end ? corridors_.paths()[path].end : corridors_.paths()[path].start;
+  if (const auto before = barrier(path, at_end, walls, all)) {
+    cut_end(walls, *before, cut_zone(path, at_end), shape_.joint_clearance_mm, is_last);
+  } else if (is_last && within_glass(end)) {
+    std::vector<double> lags;
+    const double longest = std::min(tip_lead * pane_.thickness_mm, 0.3 * (walls.along_mm.back() - walls.along_mm.front()));
+    for (std::size_t r = 0; r < walls.rows; ++r) {
+      const double t = static_cast<double>(r) / static_cast<double>(walls.rows - 1);
+      lags.push_back(longest * t * t);
+    }
+    cut_back(walls, lags);
+  }
+}
+
+// How far from the end of a path its walls may meet what it ends on.
+double Builder::cut_zone(std::size_t path, bool at_end) const {
+  const bool at_rim = !at_end && corridors_.paths()[path].start.at == At::impact;
+  const double rim = at_rim ? zone_of(path).radius_mm - zone_of(path).start_mm : 0.0;
+  return shape_.corridor.joint_mm + shape_.corridor.longest_step_mm + rim;
+}
+
+void Builder::cut(std::size_t path, std::vector<Walls>& own, const std::vector<std::vector<Walls>>& all) const {
+  for (Walls& walls : own) {
+    const double from = walls.along_mm.front();
+    const double left = corridors_.length_mm(path) - walls.along_mm.back();
+    if (left <= cut_zone(path, true)) cut_tip(path, true, left < 1e-9, walls, all);
+    if (from > cut_zone(path, false) || walls.columns() < 2) continue;
+    reverse(walls);
+    cut_tip(path, false, from == 0.0, walls, all);
+    reverse(walls);
+  }
+  std::erase_if(own, [](const Walls& walls) { return walls.columns() < 2; });
+}
+
+vec3 on_lattice(vec3 point) {
+  return {geometry::on_lattice(vec2{point.x, point.y}), geometry::to_mm(std::llround(point.z * geometry::lattice_per_mm))};
+}
+
+// Normals are those of the middle between the walls, by its neighbours in the grid.
+CrackSurface Builder::surface(std::size_t path, const Walls& walls) const {
+  CrackSurface result{crack(path).id, crack(path).impact, walls.rows, {}, {}, {}};
+  std::ranges::transform(walls.left, std::back_inserter(result.left_mm), on_lattice);
+  std::ranges::transform(walls.right, std::back_inserter(result.right_mm), on_lattice);
+  const auto middle = [&](std::size_t column, std::size_t row) {
+    const std::size_t i = column * walls.rows + row;
+    return 0.5 * (walls.left[i] + walls.right[i]);
+  };
+  for (std::size_t c = 0; c < walls.columns(); ++c) {
+    for (std::size_t r = 0; r < walls.rows; ++r) {
+      const std::size_t c0 = c == 0 ? 0 : c - 1;
+      const std::size_t c1 = std::min(c + 1, walls.columns() - 1);
+      const vec3 along = middle(c1, r) - middle(c0, r);
+      const vec3 up = middle(c, std::min(r + 1, walls.rows - 1)) - middle(c, r == 0 ? 0 : r - 1);
+      const vec3 normal = glm::normalize(glm::cross(up.z >= 0.0 ? up : -up, along));
+      result.normals.push_back(normal);
+    }
+  }
+  return result;
+}
+
+// A hole for which there is less room is none: its wall would be made of points that fall together on the lattice.
+constexpr double least_hole_radius_mm = 0.05;
+
+ShotHoleShape shot_hole_shape(const Pane& pane, const Impact& impact, double limit_mm) {
+  const double spall = impact.spall_mm.value_or(impact.hole_mm + spall_thicknesses * pane.thickness_mm);
+  ShotHoleShape shape{impact.at_mm, pane.thickness_mm, 0.5 * impact.hole_mm, 0.5 * std::max(spall, impact.hole_mm)};
+  const double widest = widest_mm(shape, -0.5 * pane.thickness_mm) + shot_hole_clearance_mm;
+  const double scale = std::min(1.0, limit_mm / widest);
+  shape.hole_radius_mm *= scale;
+  shape.spall_radius_mm *= scale;
+  return shape;
+}
+
+void add_zones(const Pane& pane, const CrackNetwork& network, std::uint64_t seed, CrackSurfaces& result) {
+  std::vector<int> radials(network.impacts.size(), 0);
+  for (const Crack& crack : network.cracks) {
+    if (crack.start.at == At::impact) ++radials[static_cast<std::size_t>(crack.impact)];
+  }
+  const std::vector<double> limits = zone_limits_mm(pane, network);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double wanted = std::max(zone_thicknesses * pane.thickness_mm, ring_room_mm * radials[i] / (2.0 * pi));
+    const double radius = std::min(wanted, limits[i]);
+    result.zones.push_back({network.impacts[i].at_mm, radius, radius});
+    if (i >= pane.impacts.size() || pane.impacts[i].hole_mm == 0.0) continue;
+    const ShotHoleShape shape = shot_hole_shape(pane, pane.impacts[i], limits[i]);
+    if (shape.hole_radius_mm < least_hole_radius_mm) continue;
+    result.shot_holes.push_back(shot_hole(shape, seed, Id(pane.name).child("shot_hole").child(i)));
+    result.zones.back().radius_mm = widest_mm(shape, -0.5 * pane.thickness_mm) + shot_hole_clearance_mm;
+    result.zones.back().start_mm = widest_mm(shape, 0.5 * pane.thickness_mm) + shot_hole_clearance_mm;
+  }
+}
+
+}  // namespace
+
+CrackSurfaces crack_surfaces(const Pane& pane, const CrackNetwork& network, std::uint64_t seed) {
+  CrackSurfaces result;
+  add_zones(pane, network, seed, result);
+  const Builder builder(pane, network, result, seed);
+  std::vector<std::vector<Walls>> all(builder.count());
+  parallel_for(all.size(), [&](std::size_t i) { all[i] = builder.walls(i); });
+  std::vector<std::vector<CrackSurface>> surfaces(all.size());
+  parallel_for(all.size(), [&](std::size_t i) {
+    std::vector<Walls> own = all[i];
+    builder.cut(i, own, all);
+    for (const Walls& walls : own) surfaces[i].push_back(builder.surface(i, walls));
+  });
+  for (std::vector<CrackSurface>& of_path : surfaces) {
+    for (CrackSurface& surface : of_path) result.surfaces.push_back(std::move(surface));
+  }
+  return result;
+}
+
+std::vector<std::size_t> closed_triangles(const CrackSurface& surface) {
+  // About each column runs a ring of points: down the left wall, up the right one.
+  const std::size_t rows = surface.rows;
+  const std::size_t half = surface.left_mm.size();
+  const auto ring = [&](std::size_t column, std::size_t k) {
+    k %= 2 * rows;
+    return k < rows ? column * rows + k : half + column * rows + (2 * rows - 1 - k);
+  };
+  // Rows that go down, from a face towards the viewer, turn the ring round.
+  const bool down = surface.left_mm[0].z > surface.left_mm[1].z;
+  std::vector<std::size_t> triangles;
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    triangles.insert(triangles.end(), {a, down ? c : b, down ? b : c});
+  };
+  for (std::size_t c = 0; c + 1 < surface.columns(); ++c) {
+    for (std::size_t k = 0; k < 2 * rows; ++k) {
+      // One diagonal for both walls, so that they are alike and do not meet.
+      const std::size_t a = ring(c, k);
+      const std::size_t b = ring(c, k + 1);
+      const std::size_t d = ring(c + 1, k);
+      const std::size_t e = ring(c + 1, k + 1);
+      if (k < rows) {
+        add(a, b, e);
+        add(a, e, d);
+      } else {
+        add(a, b, d);
+        add(b, e, d);
+      }
+    }
+  }
+  for (std::size_t r = 0; r + 1 < rows; ++r) {
+    const std::size_t last = surface.columns() - 1;
+    add(ring(0, r), ring(0, 2 * rows - 1 - r), ring(0, r + 1));
+    add(ring(0, r + 1), ring(0, 2 * rows - 1 - r), ring(0, 2 * rows - 2 - r));
+    add(ring(last, r), ring(last, r + 1), ring(last, 2 * rows - 1 - r));
+    add(ring(last, r + 1), ring(last, 2 * rows - 2 - r), ring(last, 2 * rows - 1 - r));
+  }
+  return triangles;
+}
+
+}  // namespace shatterpave::glass

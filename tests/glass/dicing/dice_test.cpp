@@ -1,0 +1,195 @@
+#include "glass/dicing/dice.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/error.h"
+#include "glass/breaking.h"
+#include "glass/dicing/dice_shape.h"
+#include "glass/network_oracle.h"
+#include "glass/random_panes.h"
+#include "measure/fragments.h"
+
+namespace shatterpave::glass {
+namespace {
+
+Pane tempered_pane(vec2 size_mm, double thickness_mm) {
+  Pane pane;
+  pane.name = "door";
+  pane.outline_mm = {{0.0, 0.0}, {size_mm.x, 0.0}, size_mm, {0.0, size_mm.y}};
+  pane.thickness_mm = thickness_mm;
+  pane.glass = GlassKind::tempered;
+  pane.impacts.emplace_back().at_mm = 0.5 * size_mm;
+  return pane;
+}
+
+// The panel of the photographs that the shape of splinters was set by: 100 × 150 × 3 mm.
+Pane panel() {
+  Pane pane = tempered_pane({100.0, 150.0}, 3.0);
+  pane.tempering.surface_stress_mpa = 135.0;
+  return pane;
+}
+
+// A slow and independent count: the connected white areas of a picture of the square, 20 px to a millimetre, less half of those
+// that reach its border.
+double counted_on_picture(const CrackNetwork& network, vec2 low) {
+  constexpr int px = 1000;
+  constexpr double scale = px / 50.0;
+  std::vector<char> dark(static_cast<std::size_t>(px) * px, 0);
+  const auto at = [&](int x, int y) -> char& { return dark[static_cast<std::size_t>(y) * px + static_cast<std::size_t>(x)]; };
+  const auto is_in = [&](int x, int y) { return x >= 0 && y >= 0 && x < px && y < px; };
+  for (const Crack& crack : network.cracks) {
+    for (std::size_t i = 1; i < crack.points_mm.size(); ++i) {
+      const vec2 a = scale * (crack.points_mm[i - 1] - low);
+      const vec2 b = scale * (crack.points_mm[i] - low);
+      const int steps = static_cast<int>(2.0 * glm::length(b - a)) + 1;
+      for (int k = 0; k <= steps; ++k) {
+        const vec2 p = glm::mix(a, b, static_cast<double>(k) / steps);
+        for (const int step : {0, 1}) {
+          const int x = static_cast<int>(std::floor(p.x)) + step;
+          const int y = static_cast<int>(std::floor(p.y));
+          if (is_in(x, y)) at(x, y) = 1;
+        }
+      }
+    }
+  }
+  double count = 0.0;
+  for (int start = 0; start < px * px; ++start) {
+    if (dark[static_cast<std::size_t>(start)] != 0) continue;
+    std::vector<int> waiting{start};
+    dark[static_cast<std::size_t>(start)] = 1;
+    bool cut = false;
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      const int x = waiting[i] % px;
+      const int y = waiting[i] / px;
+      cut = cut || x == 0 || y == 0 || x == px - 1 || y == px - 1;
+      for (const auto& [u, v] : {std::pair(x + 1, y), std::pair(x - 1, y), std::pair(x, y + 1), std::pair(x, y - 1)}) {
+        if (!is_in(u, v) || at(u, v) != 0) continue;
+        at(u, v) = 1;
+        waiting.push_back(v * px + u);
+      }
+    }
+    if (waiting.size() > 12) count += cut ? 0.5 : 1.0;  // fewer are what lines leave of a corner
+  }
+  return count;
+}
+
+double least_count(const Pane& pane, std::uint64_t seed) {
+  const std::vector<double> counts = measure::fragment_counts(broken(pane, seed), pane);
+  EXPECT_FALSE(counts.empty());
+  return std::ranges::min(counts);
+}
+
+TEST(Dice, NetworksAreSound) {
+  Pane corner = tempered_pane({300.0, 200.0}, 4.0);
+  corner.impacts = {{}, {}};
+  corner.impacts[0].at_mm = {0.5, 0.4};
+  corner.impacts[1].at_mm = {200.0, 100.0};
+  Pane hook = tempered_pane({300.0, 300.0}, 10.0);
+  hook.outline_mm = {{0.0, 0.0}, {300.0, 0.0}, {300.0, 60.0}, {40.0, 60.0}, {40.0, 300.0}, {0.0, 300.0}};
+  hook.impacts[0].at_mm = {290.0, 30.0};
+  for (const Pane& pane : {panel(), corner, hook}) {
+    const CrackNetwork network = broken(pane, 4);
+    EXPECT_EQ(faults(network, pane.outline_mm), nothing);
+    EXPECT_GT(network.cracks.size(), 300U);
+    // All fragments are closed but for what folding and rounding cut off.
+    EXPECT_LE(std::ranges::count_if(network.cracks, [](const Crack& crack) { return crack.end.at == CrackEnd::At::open; }), 1);
+  }
+}
+
+TEST(Dice, NetworksOfOddPanesAreSound) {
+  int cracks = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Pane pane = random_pane(seed, {});
+    pane.glass = GlassKind::tempered;
+    // Few fragments, however large or small the pane is: sides of 20 mm, or of a third of a pane, or millimetres.
+    const double area = geometry::area(pane.outline_mm);
+    pane.tempering.count_per_square = std::clamp(2500.0 / (area / 80.0), 1.0, 2500.0);
+    if (area / 2500.0 * fragment_count(pane) > 20000.0) continue;
+    const CrackNetwork network = broken(pane, seed);
+    EXPECT_EQ(faults(network, pane.outline_mm), nothing) << "pane " << seed;
+    cracks += static_cast<int>(network.cracks.size());
+  }
+  EXPECT_GT(cracks, 2000);
+}
+
+TEST(Dice, EulersFormulaCountsAsAPictureDoes) {
+  Pane pane = tempered_pane({260.0, 100.0}, 6.0);
+  pane.impacts[0].at_mm = {30.0, 50.0};
+  const CrackNetwork network = broken(pane, 2);
+  // One row of squares in the middle; the fourth is the only one 80 mm away and more from the impact and 25 mm from the edges.
+  const std::vector<double> counts = measure::fragment_counts(network, pane);
+  ASSERT_EQ(counts.size(), 2U);
+  EXPECT_NEAR(counts[0], counted_on_picture(network, {130.0, 25.0}), 1.0);
+  EXPECT_NEAR(counts[1], counted_on_picture(network, {180.0, 25.0}), 1.0);
+}
+
+TEST(Dice, EverySquareHasTheFragmentsOfTheStandard) {
+  EXPECT_EQ(least_fragment_count(3.0), 15.0);
+  EXPECT_EQ(least_fragment_count(4.0), 40.0);
+  EXPECT_EQ(least_fragment_count(12.0), 40.0);
+  EXPECT_EQ(least_fragment_count(19.0), 30.0);
+  for (const double thickness : {3.0, 4.0, 6.0, 8.0, 10.0, 12.0, 15.0, 19.0}) {
+    const Pane pane = tempered_pane({360.0, 360.0}, thickness);
+    Pane coarse = pane;  // what weak tempering makes: 85 % of the stress leave half of the fragments
+    coarse.tempering.surface_stress_mpa = 85.0;
+    EXPECT_GE(least_count(pane, 3), least_fragment_count(thickness)) << thickness << " mm";
+    EXPECT_LT(least_count(coarse, 3), least_fragment_count(thickness)) << thickness << " mm, twin";
+  }
+}
+
+TEST(Dice, CountIsWhatWasAskedFor) {
+  const auto is_as_asked = [](const Pane& pane, double asked) {
+    const std::vector<double> counts = measure::fragment_counts(broken(pane, 9), pane);
+    double sum = 0.0;
+    for (const double count : counts) sum += count;
+    return std::abs(sum / static_cast<double>(counts.size()) / asked - 1.0) < 0.03;
+  };
+  Pane pane = tempered_pane({500.0, 500.0}, 6.0);
+  pane.impacts[0].at_mm = {60.0, 60.0};
+  pane.tempering.count_per_square = 80.0;
+  EXPECT_TRUE(is_as_asked(pane, 80.0));
+  pane.tempering.count_per_square = 75.0;
+  EXPECT_FALSE(is_as_asked(pane, 80.0));
+}
+
+TEST(Dice, SplintersRadiateNearTheImpactAndBreakUpBeyond) {
+  const Pane pane = tempered_pane({400.0, 400.0}, 3.0);
+  Pane twin = pane;
+  twin.tempering.splinter_ratio = 1.0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const CrackNetwork network = broken(pane, seed);
+    EXPECT_GT(measure::radiality(network, 15.0, 50.0), 0.6);
+    EXPECT_LT(std::abs(measure::radiality(network, 120.0, 200.0)), 0.1);
+    EXPECT_LT(std::abs(measure::radiality(broken(twin, seed), 15.0, 50.0)), 0.15);
+  }
+  // The thicker the glass, the shorter they are.
+  const Pane thick = tempered_pane({400.0, 400.0}, 19.0);
+  EXPECT_LT(measure::radiality(broken(thick, 1), 15.0, 50.0) + 0.2, measure::radiality(broken(pane, 1), 15.0, 50.0));
+}
+
+TEST(Dice, ShapeFoldsBackWhatItUnfolds) {
+  const Pane pane = panel();
+  const DiceShape shape(pane, {50.0, 75.0}, 200.0);
+  for (const double r : {0.0, 0.004, 0.3, 2.0, 17.0, 80.0, 199.0}) {
+    const vec2 p = vec2{50.0, 75.0} + r * Angle::degrees(33.0).direction();
+    EXPECT_LT(glm::length(shape.folded(shape.unfolded(p)) - p), 1e-9) << r;
+  }
+  EXPECT_NEAR(shape.length_mm(30.0) / shape.width_mm(30.0), 7.0, 0.01);
+}
+
+TEST(Dice, IsAFunctionOfPaneAndSeed) {
+  const Pane pane = panel();
+  EXPECT_EQ(broken(pane, 5), broken(pane, 5));
+  EXPECT_NE(broken(pane, 5), broken(pane, 6));
+  Pane again = pane;
+  again.impacts.emplace_back().at_mm = {20.0, 20.0};
+  EXPECT_EQ(broken(pane, 5).cracks, broken(again, 5).cracks);
+}
+
+TEST(Dice, RefusesPanesOfTooManyFragments) { EXPECT_THROW(broken(tempered_pane({10'000.0, 10'000.0}, 6.0), 1), InputError); }
+
+}  // namespace
+}  // namespace shatterpave::glass

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/overloaded.h"
 #include "geometry/clip.h"
 #include "paving/bonds/border.h"
 #include "paving/packing/packing.h"
@@ -86,9 +87,9 @@ std::string area_text(double mm2) {
 
 std::string text_of(const glass::Pane& pane) {
   const geometry::Box box = geometry::bounding_box(pane.outline_mm);
-  const std::string_view kind = pane.glass == glass::GlassKind::laminated  ? ", laminated"
-                                : pane.glass == glass::GlassKind::tempered ? ", tempered"
-                                                                           : "";
+  const std::string kind = std::visit(Overloaded{[](const glass::Annealed&) { return std::string(); },
+                                                 [](const auto& special) { return fmt::format(", {}", special.name); }},
+                                      pane.glass);
   return fmt::format("{}, {:.6g} × {:.6g} mm{}, {}{}", pane.name, box.high.x - box.low.x, box.high.y - box.low.y, kind,
                      counted(pane.impacts.size(), "impact"), pane.shards ? ", shards" : "");
 }

@@ -19,7 +19,6 @@ namespace shatterpave::scene {
 
 namespace {
 
-using glass::GlassKind;
 using glass::Impact;
 using paving::Bond;
 
@@ -54,8 +53,8 @@ struct PaneFacts {
   const glass::Pane& pane;
 
   bool has(std::string_view key) const { return table.place_of_given(key).has_value(); }
-  bool is_tempered() const { return pane.glass == GlassKind::tempered; }
-  bool is_laminated() const { return pane.glass == GlassKind::laminated; }
+  bool is_tempered() const { return std::holds_alternative<glass::Tempered>(pane.glass); }
+  bool is_laminated() const { return std::holds_alternative<glass::Laminated>(pane.glass); }
   bool is_real() const { return pane.pattern == glass::Pattern::real; }
   bool all_impacts(bool (*is_so)(const Impact&)) const { return std::ranges::all_of(pane.impacts, is_so); }
 };
@@ -177,7 +176,11 @@ const std::vector<Rule<PaneFacts>> pane_rules = {
     {"rings.ratio", all_interrupted, "beside interruption = 1"},
     {"rings.spread", all_interrupted, "beside interruption = 1"},
     {"rings.bow", all_interrupted, "beside interruption = 1"},
-    {"tempering.surface_stress_mpa", [](const PaneFacts& f) { return f.pane.tempering.count_per_square.has_value(); },
+    {"tempering.surface_stress_mpa",
+     [](const PaneFacts& f) {
+       const auto* tempered = std::get_if<glass::Tempered>(&f.pane.glass);
+       return tempered != nullptr && tempered->count_per_square.has_value();
+     },
      "beside count_per_square"},
     {"shards.chip_mm", [](const PaneFacts& f) { return f.pane.shards && f.pane.shards->chips_per_m == 0.0; },
      "beside chips_per_m = 0"},

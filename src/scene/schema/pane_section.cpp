@@ -132,16 +132,42 @@ void read_growth(const TomlTable& pane, Growth& growth) {
   }
 }
 
-// The kind of glass, and what belongs to one kind or pattern only. Keys of the others are checked, so that kinds can be tried
-// in turn.
+void read_glass(const TomlTable& /*pane*/, glass::Annealed& /*annealed*/) {}
+
+void read_glass(const TomlTable& pane, glass::Laminated& laminated) {
+  const auto table = pane.table("laminate", laminate_keys);
+  if (!table) return;
+  table->read("through", {0.0, 1.0}, laminated.through);
+  table->read("milky_width_mm", {0.0, 1000.0}, laminated.milky_width_mm);
+}
+
+void read_glass(const TomlTable& pane, glass::Tempered& tempered) {
+  const auto table = pane.table("tempering", tempering_keys);
+  if (!table) return;
+  table->read("surface_stress_mpa", {20.0, 1000.0}, tempered.surface_stress_mpa);
+  tempered.count_per_square = table->number("count_per_square", {1.0, 2500.0});
+  tempered.splinter_ratio = table->number("splinter_ratio", {1.0, 20.0});
+  table->read("splinter_reach_mm", {1.0, 10'000.0}, tempered.splinter_reach_mm);
+}
+
+// Of all kinds of glass, in their order, the one that is asked for. The tables of the others are checked, so that kinds can be
+// tried in turn.
+template <class... Kinds>
+glass::Glass chosen_glass(const TomlTable& pane, std::variant<Kinds...> /*any*/) {
+  std::array<glass::Glass, sizeof...(Kinds)> kinds = {Kinds{}...};
+  for (glass::Glass& kind : kinds) std::visit([&](auto& glass) { read_glass(pane, glass); }, kind);
+  return kinds.at(pane.choice("glass", {Kinds::name...}).value_or(0));
+}
+
+glass::Glass glass_of(const TomlTable& pane) { return chosen_glass(pane, glass::Glass()); }
+
+// The kind of glass, and what belongs to one kind or pattern only.
 void read_kind(const TomlTable& pane, glass::Pane& result) {
-  if (const auto kind = pane.choice("glass", {"annealed", "laminated", "tempered"})) {
-    constexpr std::array values = {glass::GlassKind::annealed, glass::GlassKind::laminated, glass::GlassKind::tempered};
-    result.glass = values[*kind];
+  result.glass = glass_of(pane);
+  if (std::holds_alternative<glass::Laminated>(result.glass)) {
+    result.pattern = glass::Pattern::real;
+    result.rings = glass::laminated_rings;
   }
-  const bool laminated = result.glass == glass::GlassKind::laminated;
-  if (laminated) result.pattern = glass::Pattern::real;
-  if (laminated) result.rings = glass::laminated_rings;
   if (const auto pattern = pane.choice("pattern", {"agui1992", "real"})) {
     result.pattern = *pattern == 0 ? glass::Pattern::agui1992 : glass::Pattern::real;
   }
@@ -156,19 +182,6 @@ void read_kind(const TomlTable& pane, glass::Pane& result) {
   if (const auto crater = pane.table("crater", crater_keys)) {
     read_angle(*crater, "cone_deg", {0.0, 85.0}, result.crater_cone);
   }
-  if (const auto laminate = pane.table("laminate", laminate_keys)) {
-    laminate->read("through", {0.0, 1.0}, result.laminate.through);
-    laminate->read("milky_width_mm", {0.0, 1000.0}, result.laminate.milky_width_mm);
-  }
-}
-
-void read_tempering(const TomlTable& pane, glass::Tempering& tempering) {
-  const auto table = pane.table("tempering", tempering_keys);
-  if (!table) return;
-  table->read("surface_stress_mpa", {20.0, 1000.0}, tempering.surface_stress_mpa);
-  tempering.count_per_square = table->number("count_per_square", {1.0, 2500.0});
-  tempering.splinter_ratio = table->number("splinter_ratio", {1.0, 20.0});
-  table->read("splinter_reach_mm", {1.0, 10'000.0}, tempering.splinter_reach_mm);
 }
 
 // Leans and bows are limited so that a wall reaches no farther aside than three thicknesses of the pane.
@@ -285,7 +298,6 @@ glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
   }
   read_growth(table, pane.growth);
   read_kind(table, pane);
-  read_tempering(table, pane.tempering);
   read_shards(table, pane.shards);
   read_crack_body(table, pane);
   tell_idle_keys(table, pane, plans.notes());

@@ -17,6 +17,7 @@ pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
 # Bullet in double precision: its build in single precision takes another way through processors that have more.
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
+pkg_check_modules(tinygltf REQUIRED IMPORTED_TARGET tinygltf)
 pkg_check_modules(sleef REQUIRED IMPORTED_TARGET sleef)
 # PROJ is opened at run time, by the name that the library has for its programs: libproj.so.25.
 pkg_check_modules(proj REQUIRED proj>=9)

@@ -2,8 +2,10 @@
 
 #include <array>
 
+#include "export/gltf/scene_gltf.h"
 #include "export/json/geometry_json.h"
-#include "export/obj/shards_obj.h"
+#include "export/obj/bodies_obj.h"
+#include "export/ply/bodies_ply.h"
 #include "export/povray/povray.h"
 #include "export/svg/drawing_svg.h"
 #include "export/textures/textures.h"
@@ -11,7 +13,8 @@
 namespace shatterpave::exporting {
 
 std::span<const Target* const> targets() {
-  static constexpr std::array table = {&povray::target, &json::target, &svg::target, &textures::target, &obj::target};
+  static constexpr std::array table = {&povray::target, &json::target, &svg::target, &textures::target,
+                                       &gltf::target,   &obj::target,  &ply::target};
   return table;
 }
 

@@ -37,7 +37,8 @@ std::size_t root(std::vector<std::size_t>& parents, std::size_t i) {
 }
 
 // For each patch the parts along u and along v.
-std::vector<std::array<std::size_t, 2>> divisions(const std::vector<BezierPatch>& patches, double step_mm) {
+std::vector<std::array<std::size_t, 2>> divisions(const std::vector<BezierPatch>& patches, double step_mm,
+                                                  std::size_t least_parts) {
   std::vector<std::size_t> classes(4 * patches.size());
   std::iota(classes.begin(), classes.end(), 0);
   const auto unite = [&](std::size_t a, std::size_t b) { classes[root(classes, a)] = root(classes, b); };
@@ -62,8 +63,7 @@ std::vector<std::array<std::size_t, 2>> divisions(const std::vector<BezierPatch>
   }
   std::vector<std::array<std::size_t, 2>> counts(patches.size());
   const auto parts = [&](std::size_t border) {
-    // Arrises bend through a right angle, so they have four parts at the least.
-    return std::max<std::size_t>(4, static_cast<std::size_t>(std::ceil(lengths[root(classes, border)] / step_mm)));
+    return std::max(least_parts, static_cast<std::size_t>(std::ceil(lengths[root(classes, border)] / step_mm)));
   };
   for (std::size_t i = 0; i < patches.size(); ++i) counts[i] = {parts(4 * i), parts(4 * i + 1)};
   return counts;
@@ -128,8 +128,9 @@ void append_patch(StoneMesh& mesh, const BezierPatch& patch, std::array<std::siz
 
 }  // namespace
 
-StoneMesh displaced(const std::vector<BezierPatch>& patches, const ReliefWindow& window, double step_mm) {
-  const auto counts = divisions(patches, step_mm);
+StoneMesh displaced(const std::vector<BezierPatch>& patches, const ReliefWindow& window, double step_mm,
+                    std::size_t least_parts) {
+  const auto counts = divisions(patches, step_mm, least_parts);
   StoneMesh mesh;
   for (std::size_t i = 0; i < patches.size(); ++i) append_patch(mesh, patches[i], counts[i], window);
   return mesh;

@@ -26,8 +26,10 @@ struct ReliefWindow {
 };
 
 // The patches as one mesh: each is divided into squares of about `step_mm`, and its points are lifted by the relief, which is a
-// function of the place alone. Borders that patches share are divided alike, so that the mesh has no crack.
-StoneMesh displaced(const std::vector<geometry::BezierPatch>& patches, const ReliefWindow& window, double step_mm);
+// function of the place alone. Borders that patches share are divided alike, so that the mesh has no crack. No border has fewer
+// than `least_parts`: arrises bend through a right angle.
+StoneMesh displaced(const std::vector<geometry::BezierPatch>& patches, const ReliefWindow& window, double step_mm,
+                    std::size_t least_parts = 4);
 
 // A prism over `outline` (simple, counter-clockwise) from the lowest of the patches, whose top, `arris_mm` from the sides, lies
 // as the patches do.

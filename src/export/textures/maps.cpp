@@ -7,9 +7,9 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "export/shapes/palette.h"
 #include "export/textures/bed.h"
 #include "export/textures/occlusion.h"
-#include "export/textures/palette.h"
 
 namespace shatterpave::exporting::textures {
 
@@ -92,7 +92,7 @@ struct Maps::Looks {
     vec2 relief_place{0.0, 0.0};
     float relief = 1.0F;   // how much is left of it
     float per_top = 1.0F;  // over its height, 1/mm
-    StoneLook look;
+    shapes::StoneLook look;
   };
 
   Looks(const Surface& surface, const SurfaceMap& map)
@@ -125,11 +125,11 @@ struct Maps::Looks {
   }
 
   // What is seen of a stone at a pixel of the window.
-  Place place(const Stone& stone, std::size_t column, std::size_t row, float height) const {
+  shapes::Place place(const Stone& stone, std::size_t column, std::size_t row, float height) const {
     const vec2 at = grid.centre(static_cast<double>(column), static_cast<double>(row));
     vec2 from_centre = at - stone.centre;
     if (periodic) from_centre -= grid.size_mm() * glm::round(from_centre / grid.size_mm());
-    Place place;
+    shapes::Place place;
     const vec2 in_relief = stone.relief_place + from_centre / relief_side_mm;
     if (relief)
       place.relief = stone.relief * per_rms * relief->at(PeriodicField::phase(in_relief.x), PeriodicField::phase(in_relief.y));
@@ -146,7 +146,7 @@ struct Maps::Looks {
     return place;
   }
 
-  BedPlace bed_place(std::size_t column, std::size_t row) const {
+  shapes::BedPlace bed_place(std::size_t column, std::size_t row) const {
     const Bed::Phase x = bed.phase_x((static_cast<double>(column) + 0.5) / static_cast<double>(grid.width));
     const Bed::Phase y = bed.phase_y((static_cast<double>(row) + 0.5) / static_cast<double>(grid.height));
     return {bed.grain(x, y), palette.has_moss() ? bed.patch(x, y) : 0.0F};
@@ -155,8 +155,8 @@ struct Maps::Looks {
   struct Pixel {
     const Stone* stone = nullptr;  // none: all of it is joint
     float part = 0.0F;             // of the stone
-    Place place;                   // on the stone
-    BedPlace bed;                  // where the stone leaves something
+    shapes::Place place;           // on the stone
+    shapes::BedPlace bed;          // where the stone leaves something
   };
   Pixel pixel(const SurfaceMap& map, std::size_t column, std::size_t row) const {
     const std::size_t at = map.index(column, row);
@@ -172,7 +172,7 @@ struct Maps::Looks {
 
   PixelGrid grid;
   bool periodic;
-  Palette palette;
+  shapes::Palette palette;
   Bed bed;
   PeriodicField minerals;
   std::optional<PeriodicField> clouds;
@@ -216,10 +216,10 @@ void Maps::id_colour_row(std::size_t row, std::span<float> values) const {
 void Maps::base_color_row(std::size_t row, std::span<float> values) const {
   for (std::size_t x = 0; x < map_.grid.width; ++x) {
     const Looks::Pixel pixel = looks_->pixel(map_, x, row);
-    Colour colour = pixel.part < 1.0F ? looks_->palette.bed_colour(pixel.bed) : Colour{};
+    shapes::Colour colour = pixel.part < 1.0F ? looks_->palette.bed_colour(pixel.bed) : shapes::Colour{};
     if (pixel.stone != nullptr)
-      colour = mixed(colour, looks_->palette.stone_colour(pixel.stone->look, pixel.place), pixel.part);
-    if (map_.is_flooded(map_.index(x, row))) colour = Palette::under_water(colour);
+      colour = shapes::mixed(colour, looks_->palette.stone_colour(pixel.stone->look, pixel.place), pixel.part);
+    if (map_.is_flooded(map_.index(x, row))) colour = shapes::Palette::under_water(colour);
     values[3 * x] = colour.red;
     values[3 * x + 1] = colour.green;
     values[3 * x + 2] = colour.blue;
@@ -232,7 +232,7 @@ void Maps::roughness_row(std::size_t row, std::span<float> values) const {
     values[x] = pixel.part < 1.0F ? looks_->palette.bed_roughness(pixel.bed) : 0.0F;
     if (pixel.stone != nullptr)
       values[x] += pixel.part * (looks_->palette.stone_roughness(pixel.stone->look, pixel.place) - values[x]);
-    if (map_.is_flooded(map_.index(x, row))) values[x] = Palette::water_roughness;
+    if (map_.is_flooded(map_.index(x, row))) values[x] = shapes::Palette::water_roughness;
   }
 }
 

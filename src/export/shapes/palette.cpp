@@ -1,5 +1,5 @@
 // Figures without a source are by eye, after photographs of paving, and so that a pavement looks alike in both targets.
-#include "export/textures/palette.h"
+#include "export/shapes/palette.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "core/functions.h"
 #include "export/shapes/tones.h"
 
-namespace shatterpave::exporting::textures {
+namespace shatterpave::exporting::shapes {
 
 namespace {
 
@@ -261,4 +261,4 @@ float Palette::bed_roughness(const BedPlace& place) const {
 // By eye: a puddle on paving is some millimetres deep and not quite clear.
 Colour Palette::under_water(const Colour& colour) { return colour * Colour{0.72F, 0.70F, 0.64F}; }
 
-}  // namespace shatterpave::exporting::textures
+}  // namespace shatterpave::exporting::shapes

@@ -5,7 +5,7 @@
 #include "core/vec.h"
 #include "paving/pavement.h"
 
-namespace shatterpave::exporting::textures {
+namespace shatterpave::exporting::shapes {
 
 struct Colour {
   float red = 0.0F;
@@ -75,4 +75,4 @@ class Palette {
   float damp_;  // 0 … 1
 };
 
-}  // namespace shatterpave::exporting::textures
+}  // namespace shatterpave::exporting::shapes

@@ -1,0 +1,363 @@
+#include "export/shapes/stone_bodies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "export/names.h"
+#include "export/shapes/mesh_parts.h"
+#include "export/shapes/stone_mesh.h"
+#include "export/shapes/stone_relief.h"
+#include "export/shapes/tones.h"
+#include "geometry/clip.h"
+#include "geometry/region_index.h"
+#include "paving/surface/laid_surface.h"
+
+namespace shatterpave::exporting::shapes {
+
+namespace {
+
+constexpr std::size_t stones_at_once = 1024;
+
+// ---- places in textures
+
+// A texture is thought of as a square of this side that repeats, with places for stones to begin on a grid of so many by so
+// many: 64 in all.
+constexpr double swatch_m = 1.0;
+constexpr int places_aside = 8;
+constexpr int place_count = places_aside * places_aside;
+
+vec2 place_m(int place) {
+  constexpr double step = swatch_m / places_aside;
+  return {step * static_cast<double>(place % places_aside), step * static_cast<double>(place / places_aside)};
+}
+
+// By how much two stretches of a swatch have something in common, along one of its sides.
+double common(double a, double a_length, double b, double b_length) {
+  const double ahead = b - a - swatch_m * std::floor((b - a) / swatch_m);
+  return std::max({0.0, std::min(a_length - ahead, b_length), std::min(b_length - (swatch_m - ahead), a_length)});
+}
+
+struct Window {
+  vec2 size_m{0.0, 0.0};
+  int place = 0;
+};
+
+double common(const Window& a, const Window& b) {
+  const vec2 p = place_m(a.place);
+  const vec2 q = place_m(b.place);
+  return common(p.x, a.size_m.x, q.x, b.size_m.x) * common(p.y, a.size_m.y, q.y, b.size_m.y);
+}
+
+namespace bg = boost::geometry;
+using BoxPoint = bg::model::d2::point_xy<double>;
+using StoneBox = std::pair<bg::model::box<BoxPoint>, std::uint32_t>;
+
+bg::model::box<BoxPoint> box_of(const geometry::Box& box, double more_mm) {
+  return {{box.low.x - more_mm, box.low.y - more_mm}, {box.high.x + more_mm, box.high.y + more_mm}};
+}
+
+// For each stone where its texture begins: of the places in an order that it draws, the first whose part of the texture none of
+// its neighbours before it shows, or else the one of which they show least.
+std::vector<int> texture_places(const PavedArea& paved, std::uint64_t seed) {
+  const auto& stones = paved.layout.stones;
+  std::vector<geometry::Box> boxes(stones.size());
+  std::vector<Window> windows(stones.size());
+  std::vector<StoneBox> entries(stones.size());
+  const double near_mm = 1.5 * paved.pavement.joint_mm + 1.0;
+  parallel_for_chunks(stones.size(), stones_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      boxes[i] = geometry::bounding_box(stones[i].outline_mm);
+      entries[i] = {box_of(boxes[i], 0.0), static_cast<std::uint32_t>(i)};
+      const vec2 along = stones[i].angle.direction();
+      vec2 most{0.0, 0.0};
+      const vec2 centre = geometry::centroid(stones[i].outline_mm);
+      for (const vec2& p : stones[i].outline_mm) {
+        most = glm::max(most, vec2{std::abs(glm::dot(p - centre, along)), std::abs(cross(along, p - centre))});
+      }
+      windows[i].size_m = {metres(2.0 * most.x), metres(2.0 * most.y)};
+    }
+  });
+  const bg::index::rtree<StoneBox, bg::index::rstar<16>> index(entries);
+  std::vector<int> places(stones.size(), 0);
+  std::vector<StoneBox> near;
+  const Id id = Id(paved.pavement.name).child("texture");
+  for (std::size_t i = 0; i < stones.size(); ++i) {
+    near.clear();
+    index.query(bg::index::intersects(box_of(boxes[i], near_mm)), std::back_inserter(near));
+    std::erase_if(near, [&](const StoneBox& other) { return other.second >= i; });
+    const Address address{Stream::stone_relief, id.child(static_cast<std::uint64_t>(stones[i].id))};
+    const int first = static_cast<int>(uniform(seed, address) * place_count);
+    double least = -1.0;
+    for (int k = 0; k < place_count && least != 0.0; ++k) {
+      // 29 and 64 have no divisor in common, so that all places come, and neighbours in the order lie apart.
+      Window window{windows[i].size_m, (first + 29 * k) % place_count};
+      double shown = 0.0;
+      for (const StoneBox& other : near) shown += common(window, windows[other.second]);
+      if (least >= 0.0 && shown >= least) continue;
+      least = shown;
+      windows[i].place = window.place;
+    }
+    places[i] = windows[i].place;
+  }
+  return places;
+}
+
+// ---- stones
+
+// Parts of the face of a stone along a side; by eye: from a stone's length away no corner shows.
+constexpr double parts_of_a_side = 5.0;
+// Half of a right angle each: an arris of two facets with smooth normals looks round.
+constexpr std::size_t least_parts = 2;
+// The length of a quarter circle over its radius, less the radius that is seen from above.
+constexpr double arc_over = 0.5 * pi - 1.0;
+
+vec3 lying(vec3 p) { return {p.x, p.z, -p.y}; }
+
+Placing lying_at(vec2 centre, double height_mm, Angle angle) {
+  const vec2 d = angle.direction();
+  return {{vec3{d.x, 0.0, d.y}, vec3{0.0, 1.0, 0.0}, vec3{-d.y, 0.0, d.x}}, lying({centre.x, centre.y, height_mm})};
+}
+
+// Rise per mm along x and y.
+vec2 fall(const paving::Ground& ground) {
+  return ground.fall_percent == 0.0 ? vec2{0.0, 0.0} : -0.01 * ground.fall_percent * ground.fall_direction.direction();
+}
+
+// How many stones are alike is found by their corners: within this they are the same.
+constexpr double alike_mm = 0.005;
+// Shapes that are looked at; a bond has fewer, and where stones are all different none is found again.
+constexpr std::size_t most_shapes = 64;
+
+class StoneBodies {
+ public:
+  // Both must outlive this.
+  StoneBodies(const PavedArea& paved, std::size_t first_material, std::uint64_t seed)
+      : paved_(paved),
+        first_material_(first_material),
+        surface_(paved.pavement, paved.layout.stones, seed),
+        places_(texture_places(paved, seed)),
+        slope_(fall(paved.pavement.ground)) {
+    if (paved.pavement.detail && paved.pavement.detail->close_mm > 0.0 && paved.pavement.relief.rms_mm > 0.0) {
+      relief_ = stone_relief_heights(paved.pavement, seed);
+    }
+    const relief::FractalSurface relief = stone_relief(paved.pavement);
+    relief_side_mm_ = static_cast<double>(relief.size) * relief.spacing_mm;
+    share();
+  }
+
+  std::size_t count() const { return paved_.layout.stones.size(); }
+  // Whether another stone before it has the same meshes.
+  bool is_again(std::size_t i) const { return !owner_.empty() && owner_[i] != i; }
+
+  Body body(std::size_t i) const {
+    const paving::Stone& stone = paved_.layout.stones[i];
+    Body body;
+    body.name = fmt::format("{}.{}", paved_.pavement.name, stone.id);
+    body.kind = fmt::format("stone {}{}", name_of(stone.kind), stone.part == paving::StonePart::border ? " border" : "");
+    const vec2 centre = geometry::centroid(stone.outline_mm);
+    body.placing = lying_at(centre, level_mm(centre), stone.angle);
+    if (!owner_.empty() && is_shared_[owner_[i]]) body.shared = owner_[i];
+    if (!is_again(i)) body.pieces.push_back(piece(i, centre));
+    return body;
+  }
+
+  // Heights of the middles of the faces, fall left out.
+  std::vector<double> face_heights() const {
+    std::vector<double> heights(count());
+    parallel_for_chunks(count(), 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto patches = surface_.patches(i, surface_.draws(i));
+        heights[i] = geometry::height_at(patches, geometry::centroid(paved_.layout.stones[i].outline_mm));
+      }
+    });
+    return heights;
+  }
+
+ private:
+  double level_mm(vec2 at) const { return paved_.pavement.ground.level_mm + glm::dot(slope_, at); }
+
+  // The mesh about the middle of the stone, its axis along x.
+  Piece piece(std::size_t i, vec2 centre) const {
+    const paving::Stone& stone = paved_.layout.stones[i];
+    const paving::Pavement& pavement = paved_.pavement;
+    const double size_mm = std::sqrt(geometry::area(stone.outline_mm));
+    const paving::StoneDraws draws = surface_.draws(i);
+    const auto patches = surface_.patches(i, draws);
+    const double top_mm = geometry::height_at(patches, centre);
+    ReliefWindow window{nullptr, draws.relief_place, centre, relief_side_mm_, draws.relief};
+    double step_mm = size_mm / parts_of_a_side;
+    std::size_t least = least_parts;
+    if (pavement.detail && glm::length(centre - pavement.detail->viewer_mm) <= pavement.detail->close_mm) {
+      window.field = relief_ ? &*relief_ : nullptr;
+      step_mm = pavement.detail->mesh_mm;
+      least = 4;
+    }
+    const StoneMesh made = displaced(patches, window, step_mm, least);
+    Piece piece{first_material_ + static_cast<std::size_t>(tone_of(draws.colour)), {}};
+    const vec2 along = stone.angle.direction();
+    const vec2 offset = place_m(places_[i]);
+    const double arris_mm = std::max(pavement.body.arris_mm, 0.0);
+    for (std::size_t v = 0; v < made.vertices.size(); ++v) {
+      const vec3& p = made.vertices[v];
+      const vec3& n = made.normals[v];
+      const vec2 from = vec2{p.x, p.y} - centre;
+      const vec3 own{glm::dot(from, along), cross(along, from), p.z + glm::dot(slope_, from)};
+      const vec3 turned{glm::dot(vec2{n.x, n.y}, along), cross(along, vec2{n.x, n.y}), n.z};
+      append_point(piece.mesh, lying(own), lying(turned), offset + unrolled(own, turned, top_mm - p.z, arris_mm));
+    }
+    piece.mesh.triangles = made.triangles;
+    return piece;
+  }
+
+  // Places on the sides are folded out about the edge of the face, so that the texture is not drawn out along them.
+  static vec2 unrolled(vec3 own, vec3 normal, double drop_mm, double arris_mm) {
+    const vec2 place{metres(own.x), metres(own.y)};
+    const vec2 out{normal.x, normal.y};
+    const double lean = glm::length(out);
+    if (lean < 0.2 || drop_mm <= 0.0) return place;
+    const double more = arc_over * std::min(drop_mm, arris_mm) + std::max(0.0, drop_mm - arris_mm);
+    return place + metres(more) * (out / lean);
+  }
+
+  // Finds stones that are alike but for where they lie. What makes each different, wear and ground, is left out where there is
+  // any; of what a stone draws, those with one texture place have it in common.
+  void share() {
+    const paving::Pavement& pavement = paved_.pavement;
+    if (pavement.detail || pavement.body.wear_mm > 0.0 || !surface_.is_level() || slope_ != vec2{0.0, 0.0}) return;
+    const auto& stones = paved_.layout.stones;
+    std::vector<std::vector<vec2>> shapes;
+    std::map<std::pair<std::size_t, int>, std::size_t> first;
+    owner_.resize(stones.size());
+    is_shared_.assign(stones.size(), false);
+    for (std::size_t i = 0; i < stones.size(); ++i) {
+      owner_[i] = i;
+      if (stones[i].kind != paving::StoneKind::whole) continue;
+      const auto shape = shape_of(stones[i], shapes);
+      if (!shape) continue;
+      owner_[i] = first.try_emplace({*shape, places_[i]}, i).first->second;
+      if (owner_[i] != i) is_shared_[owner_[i]] = true;
+    }
+  }
+
+  // The number of the first shape that is the stone's, or of a new one; nothing where there are too many.
+  static std::optional<std::size_t> shape_of(const paving::Stone& stone, std::vector<std::vector<vec2>>& shapes) {
+    const vec2 centre = geometry::centroid(stone.outline_mm);
+    const vec2 along = stone.angle.direction();
+    std::vector<vec2> corners;
+    for (const vec2& p : stone.outline_mm) corners.emplace_back(glm::dot(p - centre, along), cross(along, p - centre));
+    // From the lowest of the left ones, however the outline begins.
+    const auto is_before = [](vec2 a, vec2 b) { return std::pair(a.x < 0.0, -a.y) > std::pair(b.x < 0.0, -b.y); };
+    std::ranges::rotate(corners, std::ranges::min_element(corners, is_before));
+    const auto same = [&](const std::vector<vec2>& other) {
+      return other.size() == corners.size() && std::ranges::equal(other, corners, [](vec2 a, vec2 b) {
+               return std::abs(a.x - b.x) <= alike_mm && std::abs(a.y - b.y) <= alike_mm;
+             });
+    };
+    const auto found = std::ranges::find_if(shapes, same);
+    if (found != shapes.end()) return static_cast<std::size_t>(found - shapes.begin());
+    if (shapes.size() >= most_shapes) return std::nullopt;
+    shapes.push_back(std::move(corners));
+    return shapes.size() - 1;
+  }
+
+  const PavedArea& paved_;
+  std::size_t first_material_;
+  paving::LaidSurface surface_;
+  std::vector<int> places_;
+  vec2 slope_;
+  std::optional<relief::HeightField> relief_;
+  double relief_side_mm_ = 1.0;
+  std::vector<std::size_t> owner_;  // of each stone, the first with its meshes; empty where none are shared
+  std::vector<bool> is_shared_;     // of those
+};
+
+// ---- filling and water
+
+// Squares of the surface of sunken ground to a hollow, and the most of them along a side of the pavement.
+constexpr double squares_of_hollow = 12.0;
+constexpr double most_squares = 400.0;
+
+// Lies as the ground does: fall and level.
+Mesh laid_down(Mesh mesh, const paving::Ground& ground) {
+  const vec2 slope = fall(ground);
+  for (std::size_t i = 0; i < mesh.points_mm.size(); ++i) {
+    vec3& p = mesh.points_mm[i];
+    vec3& n = mesh.normals[i];
+    p = lying({p.x, p.y, p.z + ground.level_mm + glm::dot(slope, vec2{p.x, p.y})});
+    n = lying(glm::normalize(n - n.z * vec3{slope.x, slope.y, 0.0}));
+  }
+  return mesh;
+}
+
+// The filling as the sunken ground lies: its upper surface alone, in squares that are cut off at the border.
+Mesh sunken_surface(const paving::Pavement& pavement, std::uint64_t seed) {
+  const geometry::Box box = geometry::bounding_box(pavement.area.outline);
+  const vec2 size = box.high - box.low;
+  const double step =
+      std::max(pavement.ground.settlement_length_mm / squares_of_hollow, std::max(size.x, size.y) / most_squares);
+  const auto columns = static_cast<std::size_t>(std::ceil(size.x / step));
+  const auto rows = static_cast<std::size_t>(std::ceil(size.y / step));
+  std::vector<Mesh> strips(rows);
+  const double bed = paving::bed_level_mm(pavement);
+  parallel_for(rows, [&](std::size_t row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const vec2 low = box.low + step * vec2{static_cast<double>(column), static_cast<double>(row)};
+      const vec2 high = low + vec2{step, step};
+      const geometry::Polygon square{geometry::on_lattice(low), geometry::on_lattice({high.x, low.y}),
+                                     geometry::on_lattice(high), geometry::on_lattice({low.x, high.y})};
+      for (const geometry::Region& part : geometry::intersection(square, pavement.area)) {
+        Mesh top = upright_cap(part, bed);
+        for (std::size_t i = 0; i < top.points_mm.size(); ++i) {
+          vec3& p = top.points_mm[i];
+          const paving::GroundPoint ground = paving::settlement(pavement.ground, seed, {p.x, p.y});
+          p.z += ground.height_mm;
+          top.normals[i] = glm::normalize(vec3{-ground.slope.x, -ground.slope.y, 1.0});
+        }
+        append(strips[row], top);
+      }
+    }
+  });
+  Mesh mesh;
+  for (const Mesh& strip : strips) append(mesh, strip);
+  return mesh;
+}
+
+Mesh filling(const paving::Pavement& pavement, std::uint64_t seed) {
+  if (pavement.ground.settlement_mm > 0.0) return sunken_surface(pavement, seed);
+  return upright_prism(pavement.area, -pavement.ground.depth_mm, paving::bed_level_mm(pavement));
+}
+
+}  // namespace
+
+void append_stones(const PavedArea& paved, std::size_t first_material, std::uint64_t seed, const TakeBody& take) {
+  const paving::Pavement& pavement = paved.pavement;
+  const StoneBodies stones(paved, first_material, seed);
+  std::vector<Body> bodies;
+  for (std::size_t begin = 0; begin < stones.count(); begin += stones_at_once) {
+    bodies.assign(std::min(stones_at_once, stones.count() - begin), {});
+    parallel_for_chunks(bodies.size(), 16, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) bodies[i] = stones.body(begin + i);
+    });
+    for (Body& body : bodies) take(std::move(body));
+  }
+  const std::size_t joint = first_material + stone_tones;
+  take({pavement.name + ".joints", "joints", {{joint, laid_down(filling(pavement, seed), pavement.ground)}}});
+  if (pavement.look.wetness <= 0.5) return;
+  const auto water = paving::water_level_mm(pavement.look, stones.face_heights());
+  if (!water) return;
+  const double low = -pavement.ground.depth_mm - pavement.ground.settlement_mm;
+  take({pavement.name + ".water",
+        "water",
+        {{joint + 1, laid_down(upright_prism(pavement.area, low, *water), pavement.ground)}}});
+}
+
+}  // namespace shatterpave::exporting::shapes

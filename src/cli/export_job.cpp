@@ -18,9 +18,7 @@
 namespace shatterpave::cli {
 
 void require_for_targets(const scene::Scene& scene, const Targets& targets) {
-  for (const exporting::Target* target : targets) {
-    if (target->require != nullptr) target->require({scene.panes, scene.pavements});
-  }
+  for (const exporting::Target* target : targets) pipeline::require_possible_for(*target, scene);
 }
 
 namespace {

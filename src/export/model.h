@@ -43,6 +43,12 @@ struct Model {
   bool caustics = false;
 };
 
+// The things of a scene, before anything is made of them.
+struct Things {
+  const std::vector<glass::Pane>& panes;
+  const std::vector<paving::Pavement>& pavements;
+};
+
 // A file as it shall be, in memory.
 struct OutputFile {
   std::string name;     // relative to the output folder, no folders

@@ -121,6 +121,23 @@ void require_possible(const scene::Scene& scene) {
   }
 }
 
+void require_possible_for(const exporting::Target& target, const scene::Scene& scene) {
+  if (target.require == nullptr) return;
+  try {
+    target.require({scene.panes, scene.pavements});
+  } catch (const InputError& error) {
+    const auto tell_place = [&](const auto& things, const std::vector<scene::KeyPlaces>& places) {
+      for (std::size_t i = 0; i < things.size(); ++i) {
+        if (!error.place().key.starts_with(things[i].name + ".")) continue;
+        with_places(things[i].name, places_at(places, i), [&] { throw InputError(error.place(), error.message()); });
+      }
+    };
+    tell_place(scene.panes, scene.pane_places);
+    tell_place(scene.pavements, scene.pavement_places);
+    throw;
+  }
+}
+
 exporting::Model generated(const scene::Scene& scene, const Progress& progress) {
   exporting::Model model;
   model.name = scene.name;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "export/shapes/bodies.h"
 #include "export/target.h"
 
 namespace shatterpave::exporting::gltf {
@@ -15,7 +16,9 @@ std::vector<OutputFile> gltf_files(const Model& model);
 
 void append(const Model& model, Outputs& outputs);
 
-inline constexpr Target target{
-    .name = "gltf", .sentence = "all meshes with their materials as binary glTF 2.0 (SCENE.glb)", .append = append};
+inline constexpr Target target{.name = "gltf",
+                               .sentence = "all meshes with their materials as binary glTF 2.0 (SCENE.glb)",
+                               .append = append,
+                               .require = shapes::require_few_stones};
 
 }  // namespace shatterpave::exporting::gltf

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "export/shapes/bodies.h"
 #include "export/target.h"
 
 namespace shatterpave::exporting::obj {
@@ -22,7 +23,9 @@ std::vector<OutputFile> obj_files(const Model& model);
 
 void append(const Model& model, Outputs& outputs);
 
-inline constexpr Target target{
-    .name = "obj", .sentence = "all meshes in Wavefront's format (SCENE.obj, SCENE.mtl)", .append = append};
+inline constexpr Target target{.name = "obj",
+                               .sentence = "all meshes in Wavefront's format (SCENE.obj, SCENE.mtl)",
+                               .append = append,
+                               .require = shapes::require_few_stones};
 
 }  // namespace shatterpave::exporting::obj

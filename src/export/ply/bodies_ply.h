@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "export/shapes/bodies.h"
 #include "export/target.h"
 
 namespace shatterpave::exporting::ply {
@@ -19,6 +20,7 @@ void append(const Model& model, Outputs& outputs);
 
 inline constexpr Target target{.name = "ply",
                                .sentence = "all meshes in one file, with bodies and materials as numbers of faces (SCENE.ply)",
-                               .append = append};
+                               .append = append,
+                               .require = shapes::require_few_stones};
 
 }  // namespace shatterpave::exporting::ply

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/error.h"
 #include "export/shapes/glass_bodies.h"
 #include "export/shapes/stone_bodies.h"
 #include "export/shapes/tones.h"
@@ -47,6 +48,18 @@ Materials materials_of(const Model& model) {
     append_stone_materials(paved.pavement, identifier(paved.pavement.name), materials.all);
   }
   return materials;
+}
+
+void require_few_stones(const Things& things) {
+  double count = 0.0;
+  for (const paving::Pavement& pavement : things.pavements) {
+    const vec2 pitch = paving::pitch_mm(pavement);
+    count += geometry::area(pavement.area) / (pitch.x * pitch.y);
+    if (count <= most_stones) continue;
+    throw InputError(
+        shatterpave::Place{"", 0, 0, pavement.name + ".stone_mm"},
+        fmt::format("expected at most {:.0f} stones for meshes, got an area for about {:.0f}", most_stones, count));
+  }
 }
 
 void for_each_body(const Model& model, const Materials& materials, const BeginThing& begin, const TakeBody& take) {

@@ -18,6 +18,11 @@ struct Materials {
 };
 Materials materials_of(const Model& model);
 
+// Meshes take some 8 KB a stone: of so many 4 GB.
+inline constexpr double most_stones = 500'000.0;
+// Throws InputError where a scene has more, as far as its areas tell.
+void require_few_stones(const Things& things);
+
 // Told before the bodies of each pane and pavement; may be null.
 using BeginThing = std::function<void(const std::string& name, bool is_pane)>;
 using TakeBody = std::function<void(Body&& body)>;

@@ -36,8 +36,12 @@ vec2 faced(vec3 p_mm, vec3 normal) {
   return {metres(place.x), metres(place.y)};
 }
 
-// A flat facet with points of its own.
-void append_facet(Mesh& mesh, const std::array<vec3, 3>& corners, vec3 normal) {
+// A flat facet with points of its own; nothing where it has no area.
+void append_facet(Mesh& mesh, const std::array<vec3, 3>& corners) {
+  const vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double size = glm::length(across);
+  if (size == 0.0) return;
+  const vec3 normal = across / size;
   const auto first = static_cast<std::uint32_t>(mesh.points_mm.size());
   for (const vec3& corner : corners) append_point(mesh, corner, normal, faced(corner, normal));
   append_triangle(mesh, first, first + 1, first + 2);
@@ -56,10 +60,7 @@ Mesh inverted(Mesh mesh) {
 Mesh faceted(const std::vector<vec3>& points, const std::vector<std::size_t>& triangles) {
   Mesh mesh;
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
-    const std::array<vec3, 3> corners{points[triangles[i]], points[triangles[i + 1]], points[triangles[i + 2]]};
-    const vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const double size = glm::length(across);
-    if (size > 0.0) append_facet(mesh, corners, across / size);
+    append_facet(mesh, {points[triangles[i]], points[triangles[i + 1]], points[triangles[i + 2]]});
   }
   return mesh;
 }
@@ -76,8 +77,19 @@ Mesh gap(const glass::CrackSurface& surface) {
       append_point(mesh, points[i], left ? surface.normals[i] : -surface.normals[i], {metres(along), metres(points[i].z)});
     }
   }
-  for (const std::size_t corner : glass::closed_triangles(surface))
-    mesh.triangles.push_back(static_cast<std::uint32_t>(corner));
+  const std::vector<vec3> points = mesh.points_mm;
+  const std::vector<std::size_t> triangles = glass::closed_triangles(surface);
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    const std::array<std::size_t, 3> c{triangles[i], triangles[i + 1], triangles[i + 2]};
+    const auto on_left = std::ranges::count_if(c, [&](std::size_t corner) { return corner < wall; });
+    if (on_left == 0 || on_left == 3) {
+      append_triangle(mesh, static_cast<std::uint32_t>(c[0]), static_cast<std::uint32_t>(c[1]),
+                      static_cast<std::uint32_t>(c[2]));
+      continue;
+    }
+    // The rim between the walls is sharp.
+    append_facet(mesh, {points[c[0]], points[c[1]], points[c[2]]});
+  }
   return inverted(std::move(mesh));
 }
 

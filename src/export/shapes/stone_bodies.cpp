@@ -205,14 +205,16 @@ class StoneBodies {
     Piece piece{first_material_ + static_cast<std::size_t>(tone_of(draws.colour)), {}};
     const vec2 along = stone.angle.direction();
     const vec2 offset = place_m(places_[i]);
-    const double arris_mm = std::max(pavement.body.arris_mm, 0.0);
+    // Without a finish a stone is a dome, which has no sides.
+    const bool has_sides = pavement.body.finish != paving::Finish::none;
     for (std::size_t v = 0; v < made.vertices.size(); ++v) {
       const vec3& p = made.vertices[v];
       const vec3& n = made.normals[v];
       const vec2 from = vec2{p.x, p.y} - centre;
       const vec3 own{glm::dot(from, along), cross(along, from), p.z + glm::dot(slope_, from)};
       const vec3 turned{glm::dot(vec2{n.x, n.y}, along), cross(along, vec2{n.x, n.y}), n.z};
-      append_point(piece.mesh, lying(own), lying(turned), offset + unrolled(own, turned, top_mm - p.z, arris_mm));
+      append_point(piece.mesh, lying(own), lying(turned),
+                   offset + unrolled(own, turned, has_sides ? top_mm - p.z : 0.0, pavement.body.arris_mm));
     }
     piece.mesh.triangles = made.triangles;
     return piece;

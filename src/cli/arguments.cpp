@@ -10,6 +10,8 @@
 
 #include "cli/usage.h"
 #include "core/error.h"
+#include "core/words.h"
+#include "export/targets.h"
 #include "glass/growth/counts.h"
 #include "scene/schema/key_tables.h"
 
@@ -17,8 +19,7 @@ namespace shatterpave::cli {
 
 namespace {
 
-// In the order of their enumerations.
-constexpr std::array<std::string_view, 5> target_names = {"povray", "json", "svg", "textures", "obj"};
+// In the order of their enumeration.
 constexpr std::array<std::string_view, 2> quality_names = {"draft", "final"};
 
 constexpr int most_threads = 1024;
@@ -40,7 +41,7 @@ struct Requests {
   bool keys_as_markdown = false;
 };
 
-void add(CLI::App& command, const char* name, Texts& texts, const char* value, const char* sentence) {
+void add(CLI::App& command, const char* name, Texts& texts, const char* value, const std::string& sentence) {
   command.add_option(name, texts, sentence)
       ->type_name(value)
       ->expected(1)
@@ -62,8 +63,23 @@ void add_output(CLI::App& command, Requests& requests) {
   add(command, "-o", requests.outputs, "DIR", "The output folder; made if it is missing");
 }
 
+// The names of all targets, in the order of their table.
+std::vector<std::string_view> target_names() {
+  std::vector<std::string_view> names;
+  for (const exporting::Target* target : exporting::targets()) names.push_back(target->name);
+  return names;
+}
+
 void add_targets(CLI::App& command, Requests& requests) {
-  add(command, "--target", requests.targets, "TARGET", "povray (the default), json, svg, textures or obj; may be repeated");
+  std::vector<std::string_view> names = target_names();
+  const std::string first = fmt::format("{} (the default)", names.front());
+  names.front() = first;
+  add(command, "--target", requests.targets, "TARGET", fmt::format("{}; may be repeated", listed(names, "or")));
+  std::string sentences = "Targets:\n";
+  for (const exporting::Target* target : exporting::targets()) {
+    sentences += fmt::format("  {:<28}{}\n", target->name, target->sentence);
+  }
+  command.footer(sentences);
 }
 
 void add_export(CLI::App& app, Requests& requests) {
@@ -121,12 +137,17 @@ std::vector<scene::Override> overrides_of(const Requests& requests) {
   return overrides;
 }
 
-std::vector<Target> targets_of(const Texts& given) {
-  std::vector<Target> targets;
-  for (const std::string& name : given) targets.push_back(static_cast<Target>(choice_of(name, "--target", target_names)));
-  if (targets.empty()) targets.push_back(Target::povray);
-  std::ranges::sort(targets);
-  targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+Targets targets_of(const Texts& given) {
+  const auto table = exporting::targets();
+  if (given.empty()) return {table.front()};
+  const std::vector<std::string_view> names = target_names();
+  std::vector<std::size_t> chosen;
+  for (const std::string& name : given) chosen.push_back(choice_of(name, "--target", names));
+  std::ranges::sort(chosen);
+  const auto repeated = std::ranges::unique(chosen);
+  chosen.erase(repeated.begin(), repeated.end());
+  Targets targets;
+  for (const std::size_t i : chosen) targets.push_back(table[i]);
   return targets;
 }
 

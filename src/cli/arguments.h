@@ -6,26 +6,28 @@
 #include <variant>
 #include <vector>
 
+#include "export/target.h"
 #include "pipeline/measure.h"
 #include "pipeline/render.h"
 #include "scene/override.h"
 
 namespace shatterpave::cli {
 
-enum class Target { povray, json, svg, textures, obj };
+// Each once, in the order of their table.
+using Targets = std::vector<const exporting::Target*>;
 
 struct Export {
   std::filesystem::path scene;
   std::vector<scene::Override> overrides;
   std::filesystem::path output;
-  std::vector<Target> targets;  // each once, in the order of the enumeration
-  int threads = 0;              // 0: all processors
+  Targets targets;
+  int threads = 0;  // 0: all processors
 };
 
 struct Check {
   std::filesystem::path scene;
   std::vector<scene::Override> overrides;
-  std::vector<Target> targets;  // as those of an export: what they would refuse is refused
+  Targets targets;  // what they would refuse is refused
 };
 
 struct Render {

@@ -5,21 +5,18 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "export/model.h"
+#include "export/target.h"
 #include "scene/scene.h"
 
 namespace shatterpave::cli {
 
-// Adds the files of a target.
-using AppendTarget = std::function<void(const exporting::Model&, Target, exporting::Outputs&)>;
-
 // Throws InputError where a target would be refused for what the scene says, which is known before anything is made.
-void require_for_targets(const scene::Scene& scene, const std::vector<Target>& targets);
+void require_for_targets(const scene::Scene& scene, const Targets& targets);
 
-// JSON, SVG and OBJ.
-void append_without_rasters(const exporting::Model& model, Target target, exporting::Outputs& outputs);
+// Adds the files of a target to those of others.
+using AppendTarget = std::function<void(const exporting::Target&, const exporting::Model&, exporting::Outputs&)>;
 
 // Generates the scene and writes the files of all its targets.
-void export_scene(const Export& job, const AppendTarget& append_target);
+void export_scene(const Export& job, const AppendTarget& append);
 
 }  // namespace shatterpave::cli

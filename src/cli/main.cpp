@@ -35,11 +35,13 @@ using namespace shatterpave;
 enum ExitStatus { done = 0, program_failed = 1, input_wrong = 2, renderer_failed = 3 };
 
 void run(const cli::Export& job, char** argv) {
-  const auto has_rasters = [](cli::Target target) { return target == cli::Target::povray || target == cli::Target::textures; };
-  if (std::ranges::any_of(job.targets, has_rasters)) {
+  using exporting::Target;
+  if (std::ranges::any_of(job.targets, &Target::has_rasters)) {
     cli::run_with_rasters(job, argv);
   } else {
-    cli::export_scene(job, cli::append_without_rasters);
+    cli::export_scene(job, [](const Target& target, const exporting::Model& model, exporting::Outputs& outputs) {
+      target.append(model, outputs);
+    });
   }
 }
 

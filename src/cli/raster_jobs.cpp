@@ -1,8 +1,6 @@
 // In `shatterpave-rasters`: does the job.
 #include "cli/raster_jobs.h"
 
-#include <algorithm>
-#include <iterator>
 #include <vector>
 
 #include "cli/export_job.h"
@@ -10,8 +8,7 @@
 #include "cli/terminal.h"
 #include "core/notes.h"
 #include "core/parallel.h"
-#include "export/povray/povray.h"
-#include "export/textures/textures.h"
+#include "export/raster_targets.h"
 #include "pipeline/generate.h"
 #include "pipeline/outlook.h"
 #include "pipeline/render.h"
@@ -20,17 +17,7 @@
 
 namespace shatterpave::cli {
 
-void run_with_rasters(const Export& job, char** /*argv*/) {
-  export_scene(job, [](const exporting::Model& model, Target target, exporting::Outputs& outputs) {
-    if (target == Target::povray) {
-      std::ranges::move(exporting::povray::povray_files(model), std::back_inserter(outputs.files));
-    } else if (target == Target::textures) {
-      std::ranges::move(exporting::textures::texture_files(model), std::back_inserter(outputs.sets));
-    } else {
-      append_without_rasters(model, target, outputs);
-    }
-  });
-}
+void run_with_rasters(const Export& job, char** /*argv*/) { export_scene(job, exporting::append_files); }
 
 void run_with_rasters(const Render& job, char** /*argv*/) {
   const ThreadLimit limit(job.options.threads);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/overloaded.h"
 #include "core/random.h"
 #include "glass/dicing/dice.h"
 #include "glass/growth/growth.h"
@@ -21,22 +22,33 @@ void require_impacts_inside(const Pane& pane) {
 }
 
 // Which cracks of laminated glass run through both sheets.
-void draw_through(const Pane& pane, std::uint64_t seed, CrackNetwork& network) {
+void draw_through(const Pane& pane, double part, std::uint64_t seed, CrackNetwork& network) {
   const Id id = Id(pane.name).child("through");
   for (Crack& crack : network.cracks) {
     const Address address{Stream::through, id.child(static_cast<std::uint64_t>(crack.id))};
-    crack.through = uniform(seed, address) < pane.laminate.through;
+    crack.through = uniform(seed, address) < part;
   }
 }
 
 }  // namespace
 
-CrackNetwork broken(const Pane& pane, std::uint64_t seed) {
+void require_breakable(const Pane& pane) {
   require_impacts_inside(pane);
-  if (pane.glass == GlassKind::tempered) return diced_pane(pane, seed);
-  CrackNetwork network = grown_cracks(pane, seed);
-  if (pane.glass == GlassKind::laminated) draw_through(pane, seed, network);
-  return network;
+  std::visit(Overloaded{[&](const Annealed&) { require_few_steps(pane); }, [&](const Laminated&) { require_few_steps(pane); },
+                        [&](const Tempered& glass) { require_few_fragments(pane, glass); }},
+             pane.glass);
+}
+
+CrackNetwork broken(const Pane& pane, std::uint64_t seed) {
+  require_breakable(pane);
+  const auto laminated = [&](const Laminated& glass) {
+    CrackNetwork network = grown_cracks(pane, seed);
+    draw_through(pane, glass.through, seed, network);
+    return network;
+  };
+  return std::visit(Overloaded{[&](const Annealed&) { return grown_cracks(pane, seed); }, laminated,
+                               [&](const Tempered& glass) { return diced_pane(pane, glass, seed); }},
+                    pane.glass);
 }
 
 }  // namespace shatterpave::glass

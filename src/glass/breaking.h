@@ -8,6 +8,10 @@
 
 namespace shatterpave::glass {
 
+// Throws InputError for an impact that is not strictly inside the outline, for steps of growth that are too short for the pane,
+// and for more dice than there may be: what `broken` refuses, known at once.
+void require_breakable(const Pane& pane);
+
 // The cracks of `pane`, a pure function of its arguments:
 //   annealed   they grow (glass/growth/growth.h)
 //   tempered   the borders of its dice (glass/dicing/dice.h)
@@ -16,8 +20,7 @@ namespace shatterpave::glass {
 // All vertices lie in the pane; no two cracks cross; a crack that ends on another ends in a vertex of its polyline; a crack
 // that ends at the edge ends within 1 µm of it: exact on the lattice.
 //
-// REQUIRES the ranges of glass/pane.h. Throws InputError for an impact that is not strictly inside the outline, and what growth
-// and dicing throw.
+// REQUIRES the ranges of glass/pane.h. Throws InputError as `require_breakable` does.
 CrackNetwork broken(const Pane& pane, std::uint64_t seed);
 
 }  // namespace shatterpave::glass

@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "core/angle.h"
@@ -113,13 +115,6 @@ struct Impact {
   bool operator==(const Impact&) const = default;
 };
 
-// How glass is made, and so how it breaks.
-enum class GlassKind {
-  annealed,   // window glass
-  laminated,  // two sheets that a film holds together
-  tempered,   // by heat: the whole pane falls to dice
-};
-
 // Where ring cracks of annealed and of laminated glass come from.
 enum class Pattern {
   agui1992,  // a few starting points at about one distance, as Growth says
@@ -142,16 +137,29 @@ struct Rings {
 // Rings of laminated glass: what holds together goes on to break, so there are more, and fewer gaps. By eye.
 inline constexpr Rings laminated_rings{12, 7.0, 1.28, 0.4, 0.12, 0.15};
 
-// Of laminated glass; by eye.
-struct Laminate {
+// The kinds of glass: how each is made, and so how it breaks.
+
+// Window glass.
+struct Annealed {
+  static constexpr std::string_view name = "annealed";
+
+  bool operator==(const Annealed&) const = default;
+};
+
+// Two sheets that a film holds together. By eye.
+struct Laminated {
+  static constexpr std::string_view name = "laminated";
+
   double through = 0.35;         // part of the cracks that run through both sheets
   double milky_width_mm = 12.0;  // of the white rim about the crushed zone
 
-  bool operator==(const Laminate&) const = default;
+  bool operator==(const Laminated&) const = default;
 };
 
-// Of tempered glass. The fragments of a square of 50 × 50 mm are those that EN 12150-1 counts.
-struct Tempering {
+// Tempered by heat: the whole pane falls to dice. The fragments of a square of 50 × 50 mm are those that EN 12150-1 counts.
+struct Tempered {
+  static constexpr std::string_view name = "tempered";
+
   // Of the surface: EN 12150 glass has 90 MPa and more. The length of cracks that its energy pays for goes with the square of
   // the stress, so the number of fragments goes with its fourth power, as Barsom (J. Am. Ceram. Soc. 51, 1968) measured.
   double surface_stress_mpa = 100.0;
@@ -159,8 +167,10 @@ struct Tempering {
   std::optional<double> splinter_ratio;    // length to width of fragments near the impact, 1 … 20; else from the thickness
   double splinter_reach_mm = 80.0;         // how far they go: what EN 12150 leaves out about the impact
 
-  bool operator==(const Tempering&) const = default;
+  bool operator==(const Tempered&) const = default;
 };
+
+using Glass = std::variant<Annealed, Laminated, Tempered>;
 
 // What becomes of the pieces between the cracks. Defaults without a source were chosen by eye, see scenes/broken_window.toml.
 struct ShardRules {
@@ -209,13 +219,11 @@ struct Pane {
   double thickness_mm = 2.0;     // > 0
   std::vector<Impact> impacts;   // in the order in which they happened
   Growth growth;
-  GlassKind glass = GlassKind::annealed;
+  Glass glass;
   Pattern pattern = Pattern::agui1992;
   Rings rings;                               // of Pattern::real
   Angle crater_cone = Angle::degrees(68.0);  // of spall, from upright: that of Hertz's cone crack in glass; of Pattern::real
-  Laminate laminate;
-  Tempering tempering;
-  std::optional<ShardRules> shards;  // nothing: cracks only
+  std::optional<ShardRules> shards;          // nothing: cracks only
   CrackBody crack_body = CrackBody::cylinder;
   CrackSheet crack_sheet;
 

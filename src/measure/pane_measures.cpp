@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "core/overloaded.h"
 #include "geometry/region_index.h"
 #include "glass/dicing/dice_shape.h"
 #include "measure/crossings.h"
@@ -87,9 +88,11 @@ std::optional<double> radial_spread(const glass::CrackNetwork& network, int impa
 }  // namespace
 
 Subject subject_of(const glass::Pane& pane) {
-  if (pane.glass == glass::GlassKind::tempered) return Subject::dice;
-  const bool as_the_paper = pane.glass == glass::GlassKind::annealed && pane.pattern == glass::Pattern::agui1992;
-  return as_the_paper ? Subject::experiment : Subject::rings;
+  const bool as_the_paper = pane.pattern == glass::Pattern::agui1992;
+  return std::visit(
+      Overloaded{[&](const glass::Annealed&) { return as_the_paper ? Subject::experiment : Subject::rings; },
+                 [](const glass::Laminated&) { return Subject::rings; }, [](const glass::Tempered&) { return Subject::dice; }},
+      pane.glass);
 }
 
 PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pane) {

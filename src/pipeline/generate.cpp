@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "glass/breaking.h"
-#include "glass/dicing/dice.h"
 #include "glass/gaps/crack_surface.h"
 #include "glass/shards/shards.h"
 #include "paving/derived/kerb.h"
@@ -108,8 +107,7 @@ class InWork {
 void require_possible(const scene::Scene& scene) {
   for (std::size_t i = 0; i < scene.panes.size(); ++i) {
     const glass::Pane& pane = scene.panes[i];
-    if (pane.glass != glass::GlassKind::tempered) continue;
-    with_places(pane.name, places_at(scene.pane_places, i), [&] { glass::require_few_fragments(pane); });
+    with_places(pane.name, places_at(scene.pane_places, i), [&] { glass::require_breakable(pane); });
   }
   for (std::size_t i = 0; i < scene.pavements.size(); ++i) {
     const paving::Pavement& pavement = scene.pavements[i];

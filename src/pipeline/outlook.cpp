@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/overloaded.h"
 #include "geometry/clip.h"
 #include "paving/bonds/border.h"
 #include "paving/packing/packing.h"
-#include "scene/schema/words.h"
 
 namespace shatterpave::pipeline {
 
@@ -87,8 +87,9 @@ std::string area_text(double mm2) {
 
 std::string text_of(const glass::Pane& pane) {
   const geometry::Box box = geometry::bounding_box(pane.outline_mm);
-  const bool is_usual = pane.glass == glass::Pane{}.glass;
-  const std::string kind = is_usual ? "" : fmt::format(", {}", scene::word_for(pane.glass, scene::glass_kind_words));
+  const std::string kind = std::visit(Overloaded{[](const glass::Annealed&) { return std::string(); },
+                                                 [](const auto& special) { return fmt::format(", {}", special.name); }},
+                                      pane.glass);
   return fmt::format("{}, {:.6g} × {:.6g} mm{}, {}{}", pane.name, box.high.x - box.low.x, box.high.y - box.low.y, kind,
                      counted(pane.impacts.size(), "impact"), pane.shards ? ", shards" : "");
 }

@@ -17,5 +17,5 @@ int main() {
   impact.radial_count = 24;
   pane.impacts.push_back(impact);
   model.panes.push_back({pane, glass::broken(pane, model.seed)});
-  std::cout << exporting::json_file(model).content;
+  std::cout << exporting::json::json_file(model).content;
 }

@@ -29,7 +29,7 @@ Model shattered_model() {
 
 TEST(ShardsJson, TellWhatEachShardIsAndWhereItIs) {
   const Model model = shattered_model();
-  const nlohmann::json pane = nlohmann::json::parse(json_file(model).content)["panes"][0];
+  const nlohmann::json pane = nlohmann::json::parse(json::json_file(model).content)["panes"][0];
   ASSERT_EQ(pane["shards"].size(), model.panes[0].shards.size());
   std::map<std::string, int> states;
   std::set<std::string> ids;
@@ -56,14 +56,14 @@ TEST(ShardsJson, TellWhatEachShardIsAndWhereItIs) {
 // A body lists its pieces; together with the rest these are the shards that there are without joining, and no other has a list.
 TEST(ShardsJson, TellThePiecesOfJoinedBodies) {
   Model model = shattered_model();
-  const std::string apart = json_file(model).content;
+  const std::string apart = json::json_file(model).content;
   EXPECT_EQ(apart.find("joined"), std::string::npos);
   std::set<std::string> expected;
   for (const glass::Shard& shard : model.panes[0].shards) expected.insert(shard.id);
   model.panes = {support::shattered_pane(100, true)};
   std::set<std::string> ids;
   std::size_t bodies = 0;
-  const nlohmann::json joined = nlohmann::json::parse(json_file(model).content);
+  const nlohmann::json joined = nlohmann::json::parse(json::json_file(model).content);
   for (const nlohmann::json& shard : joined["panes"][0]["shards"]) {
     if (!shard.contains("joined")) {
       EXPECT_TRUE(ids.insert(shard["id"]).second);
@@ -82,7 +82,7 @@ TEST(ShardsJson, TellThePiecesOfJoinedBodies) {
 TEST(ShardsJson, AreNotThereWhereNobodyAskedForThem) {
   Model model = shattered_model();
   model.panes[0].pane.shards.reset();
-  EXPECT_FALSE(nlohmann::json::parse(json_file(model).content)["panes"][0].contains("shards"));
+  EXPECT_FALSE(nlohmann::json::parse(json::json_file(model).content)["panes"][0].contains("shards"));
 }
 
 // What a reader of OBJ makes of the text.
@@ -154,7 +154,7 @@ class ShardsInObj : public testing::TestWithParam<bool> {};
 TEST_P(ShardsInObj, EachShardIsAClosedGroupWhereItIs) {
   Model model = shattered_model();
   model.panes = {support::shattered_pane(100, GetParam())};
-  const std::vector<OutputFile> files = obj_files(model);
+  const std::vector<OutputFile> files = obj::obj_files(model);
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].name, "scene.obj");
   EXPECT_EQ(files[1].name, "scene.mtl");
@@ -186,7 +186,7 @@ TEST_P(ShardsInObj, EachShardIsAClosedGroupWhereItIs) {
 TEST_P(ShardsInObj, EachTriangleHasAnAreaItsNormalAndAPlaceInTextures) {
   Model model = shattered_model();
   model.panes = {support::shattered_pane(100, GetParam())};
-  const Read read = read_obj(obj_files(model)[0].content);
+  const Read read = read_obj(obj::obj_files(model)[0].content);
   std::size_t count = 0;
   for (const auto& [group, facets] : read.facets) {
     for (const auto& facet : facets) {
@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(Joined, ShardsInObj, testing::Bool());
 TEST(ShardsObj, IsInMetresWithYUp) {
   Model model = shattered_model();
   std::erase_if(model.panes[0].shards, [](const glass::Shard& shard) { return shard.state == glass::ShardState::fallen; });
-  const std::string text = obj_files(model)[0].content;
+  const std::string text = obj::obj_files(model)[0].content;
   EXPECT_NE(text.find("1 unit = 1 m, y up"), std::string::npos);
   vec3 low{1e9, 1e9, 1e9};
   vec3 high = -low;
@@ -226,7 +226,7 @@ TEST(ShardsObj, IsInMetresWithYUp) {
 }
 
 TEST(ShardsObj, MaterialsAreClearGlass) {
-  const std::string text = obj_files(shattered_model())[1].content;
+  const std::string text = obj::obj_files(shattered_model())[1].content;
   for (const char* line : {"Ka 0 0 0", "d 1", "Ni 1.52", "Tf 1 1 1", "Pm 0"}) {
     std::size_t count = 0;
     for (std::size_t at = text.find(fmt::format("\n{}\n", line)); at != std::string::npos;
@@ -239,7 +239,7 @@ TEST(ShardsObj, MaterialsAreClearGlass) {
 
 std::string refusal(const Model& model) {
   try {
-    obj_files(model);
+    obj::obj_files(model);
   } catch (const InputError& error) {
     return error.what();
   }

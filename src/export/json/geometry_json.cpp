@@ -10,7 +10,7 @@
 
 #include "export/names.h"
 
-namespace shatterpave::exporting {
+namespace shatterpave::exporting::json {
 
 namespace {
 
@@ -171,4 +171,6 @@ OutputFile json_file(const Model& model) {
   return {model.name + ".json", fmt::to_string(out)};
 }
 
-}  // namespace shatterpave::exporting
+void append(const Model& model, Outputs& outputs) { outputs.files.push_back(json_file(model)); }
+
+}  // namespace shatterpave::exporting::json

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/vec.h"
 
-namespace shatterpave::exporting {
+namespace shatterpave::exporting::obj {
 
 namespace {
 
@@ -162,17 +162,17 @@ void put_shard(Buffer& out, const BrokenPane& broken, const glass::Shard& shard,
 
 }  // namespace
 
-void require_shards(std::span<const glass::Pane> panes) {
-  if (std::ranges::any_of(panes, [](const glass::Pane& pane) { return pane.shards.has_value(); })) return;
+void require_shards(const Things& things) {
+  if (std::ranges::any_of(things.panes, [](const glass::Pane& pane) { return pane.shards.has_value(); })) return;
   throw InputError(
       fmt::format("target obj: expected a pane with a table [pane.shards], whose pieces are what it writes, got {}",
-                  panes.empty() ? "no pane" : "none with it"));
+                  things.panes.empty() ? "no pane" : "none with it"));
 }
 
 std::vector<OutputFile> obj_files(const Model& model) {
   std::vector<glass::Pane> panes;
   for (const BrokenPane& broken : model.panes) panes.push_back(broken.pane);
-  require_shards(panes);
+  require_shards({panes, {}});
   Buffer out;
   fmt::format_to(std::back_inserter(out), "# Shards of glass: an object and a group each. 1 unit = 1 m, y up.\nmtllib {}.mtl\n",
                  model.name);
@@ -186,4 +186,6 @@ std::vector<OutputFile> obj_files(const Model& model) {
   return {{model.name + ".obj", fmt::to_string(out)}, {model.name + ".mtl", std::string(materials)}};
 }
 
-}  // namespace shatterpave::exporting
+void append(const Model& model, Outputs& outputs) { std::ranges::move(obj_files(model), std::back_inserter(outputs.files)); }
+
+}  // namespace shatterpave::exporting::obj

@@ -1,12 +1,11 @@
 // The shards of panes as Wavefront OBJ, which Blender, Houdini and others read.
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "export/model.h"
+#include "export/target.h"
 
-namespace shatterpave::exporting {
+namespace shatterpave::exporting::obj {
 
 // `SCENE.obj` and its materials `SCENE.mtl`. Each shard that is not missing is an object and a group `PANE.ID`, where it is
 // now; its faces are in the materials glass_old and glass_broken. 1 unit = 1 m, x to the right, y up, z towards the viewer;
@@ -22,7 +21,14 @@ namespace shatterpave::exporting {
 // Throws InputError where there is nothing to be written: see require_shards, or all shards are missing.
 std::vector<OutputFile> obj_files(const Model& model);
 
-// Throws InputError unless one of the panes asks for shards: what obj_files would refuse, known before anything is made.
-void require_shards(std::span<const glass::Pane> panes);
+void append(const Model& model, Outputs& outputs);
 
-}  // namespace shatterpave::exporting
+// Throws InputError unless one of the panes asks for shards: what obj_files would refuse, known before anything is made.
+void require_shards(const Things& things);
+
+inline constexpr Target target{.name = "obj",
+                               .sentence = "the shards of panes as meshes in Wavefront's format (SCENE.obj, SCENE.mtl)",
+                               .append = append,
+                               .require = require_shards};
+
+}  // namespace shatterpave::exporting::obj

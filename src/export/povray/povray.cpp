@@ -147,4 +147,6 @@ std::vector<OutputFile> povray_files(const Model& model) {
   return files;
 }
 
+void append(const Model& model, Outputs& outputs) { std::ranges::move(povray_files(model), std::back_inserter(outputs.files)); }
+
 }  // namespace shatterpave::exporting::povray

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "export/model.h"
+#include "export/target.h"
 
 namespace shatterpave::exporting::povray {
 
@@ -20,6 +20,12 @@ namespace shatterpave::exporting::povray {
 //    Still_Pane_Sill_Drop, Still_Pane_Sill_Depth, Still_Pane_Frame, Still_Pane_Reveal, Still_Pane_Floor_Drop
 // Throws InputError where there is no such template.
 std::vector<OutputFile> povray_files(const Model& model);
+
+void append(const Model& model, Outputs& outputs);
+
+inline constexpr Target target{
+    .name = "povray",
+    .sentence = "a still for POV-Ray (SCENE.pov), with an include file of each pane and pavement and all that they need"};
 
 // The names that `model.setting` may have, sorted.
 std::vector<std::string> settings();

@@ -8,7 +8,7 @@
 
 #include "export/names.h"
 
-namespace shatterpave::exporting {
+namespace shatterpave::exporting::svg {
 
 namespace {
 
@@ -112,4 +112,6 @@ std::vector<OutputFile> svg_files(const Model& model) {
   return files;
 }
 
-}  // namespace shatterpave::exporting
+void append(const Model& model, Outputs& outputs) { std::ranges::move(svg_files(model), std::back_inserter(outputs.files)); }
+
+}  // namespace shatterpave::exporting::svg

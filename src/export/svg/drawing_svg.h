@@ -3,13 +3,18 @@
 
 #include <vector>
 
-#include "export/model.h"
+#include "export/target.h"
 
-namespace shatterpave::exporting {
+namespace shatterpave::exporting::svg {
 
 // `SCENE-NAME.svg` for each pane, then for each pavement. A drawing is as large as the thing (width and height in mm), its
 // viewBox is in mm with y down, so that scene coordinates are (x, −y). Cracks are polylines of class `crack` and of their kind,
 // ids `crack-0` …; stones are polygons of class `stone` and of their kind, ids `stone-0` ….
 std::vector<OutputFile> svg_files(const Model& model);
 
-}  // namespace shatterpave::exporting
+void append(const Model& model, Outputs& outputs);
+
+inline constexpr Target target{
+    .name = "svg", .sentence = "a drawing in millimetres of each pane and pavement (SCENE-NAME.svg)", .append = append};
+
+}  // namespace shatterpave::exporting::svg

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "core/functions.h"
@@ -166,5 +167,7 @@ std::vector<FileSet> texture_files(const Model& model) {
   for (const PavedArea& paved : model.pavements) sets.push_back(texture_set(paved, model.seed));
   return sets;
 }
+
+void append(const Model& model, Outputs& outputs) { std::ranges::move(texture_files(model), std::back_inserter(outputs.sets)); }
 
 }  // namespace shatterpave::exporting::textures

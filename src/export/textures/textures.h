@@ -12,12 +12,18 @@
 
 #include <vector>
 
-#include "export/model.h"
+#include "export/target.h"
 
 namespace shatterpave::exporting::textures {
 
 // One for each pavement. Files are written row by row: memory is about 12 bytes a pixel, and some 30 MB a thread; for tiled EXR
 // a third of a map's pixels more.
 std::vector<FileSet> texture_files(const Model& model);
+
+void append(const Model& model, Outputs& outputs);
+
+inline constexpr Target target{
+    .name = "textures",
+    .sentence = "maps of each pavement as other renderers take them: colour, normal, roughness, height, occlusion, ids"};
 
 }  // namespace shatterpave::exporting::textures

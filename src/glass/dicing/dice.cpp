@@ -277,23 +277,23 @@ class Running {
 
 }  // namespace
 
-void require_few_fragments(const Pane& pane) {
-  const double count = geometry::area(pane.outline_mm) / 2500.0 * fragment_count(pane);
+void require_few_fragments(const Pane& pane, const Tempered& glass) {
+  const double count = geometry::area(pane.outline_mm) / 2500.0 * fragment_count(pane, glass);
   if (count <= most_fragments) return;
   throw InputError(
       Place{"", 0, 0, pane.name + ".tempering"},
       fmt::format("expected a pane of tempered glass of at most {:.0f} fragments, got one of {:.0f}", most_fragments, count));
 }
 
-CrackNetwork diced_pane(const Pane& pane, std::uint64_t seed) {
-  require_few_fragments(pane);
+CrackNetwork diced_pane(const Pane& pane, const Tempered& glass, std::uint64_t seed) {
+  require_few_fragments(pane, glass);
   CrackNetwork network;
   for (const Impact& impact : pane.impacts) network.impacts.emplace_back().at_mm = geometry::on_lattice(impact.at_mm);
   if (pane.impacts.empty()) return network;
   const vec2 impact = network.impacts.front().at_mm;
-  const double side_mm = std::sqrt(2500.0 / fragment_count(pane));
+  const double side_mm = std::sqrt(2500.0 / fragment_count(pane, glass));
   const double reach_mm = farthest(pane.outline_mm, impact) + 2.0 * margin_lengths * side_mm;
-  const DiceShape shape(pane, impact, reach_mm);
+  const DiceShape shape(pane, glass, impact, reach_mm);
   std::vector<vec2> seeds = drawn_seeds(pane, shape, impact, reach_mm, seed);
   settle(seeds, shape, impact);
   const Fragments fragments = fragments_of(geometry::voronoi(seeds), shape, impact);

@@ -12,7 +12,7 @@ namespace shatterpave::glass {
 inline constexpr double most_fragments = 1e6;
 
 // Throws InputError where a pane of tempered glass would fall into more.
-void require_few_fragments(const Pane& pane);
+void require_few_fragments(const Pane& pane, const Tempered& glass);
 
 // The borders of the fragments as cracks of kind `dice`, with the guarantees of glass/breaking.h. They spread from the first
 // impact; at later ones there is nothing left to break. Each runs on through the corners of fragments, in each as straight as
@@ -20,6 +20,6 @@ void require_few_fragments(const Pane& pane);
 // these came to, at a corner of its own (`origin`). So cracks enclose all fragments but for those that the edge bounds.
 //
 // Throws InputError as `require_few_fragments` does.
-CrackNetwork diced_pane(const Pane& pane, std::uint64_t seed);
+CrackNetwork diced_pane(const Pane& pane, const Tempered& glass, std::uint64_t seed);
 
 }  // namespace shatterpave::glass

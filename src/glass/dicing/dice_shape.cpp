@@ -41,17 +41,17 @@ double least_fragment_count(double thickness_mm) {
   return between(40.0, 30.0, (thickness_mm - 12.0) / 3.0);
 }
 
-double fragment_count(const Pane& pane) {
-  if (pane.tempering.count_per_square) return *pane.tempering.count_per_square;
-  const double stress = pane.tempering.surface_stress_mpa / 100.0;
+double fragment_count(const Pane& pane, const Tempered& glass) {
+  if (glass.count_per_square) return *glass.count_per_square;
+  const double stress = glass.surface_stress_mpa / 100.0;
   return std::clamp(1.5 * least_fragment_count(pane.thickness_mm) * stress * stress * stress * stress, 1.0, square_mm2);
 }
 
-DiceShape::DiceShape(const Pane& pane, vec2 impact_mm, double reach_mm)
+DiceShape::DiceShape(const Pane& pane, const Tempered& glass, vec2 impact_mm, double reach_mm)
     : impact_mm_(impact_mm),
-      side_mm_(std::sqrt(square_mm2 / fragment_count(pane))),
-      greatest_ratio_(pane.tempering.splinter_ratio.value_or(default_ratio(pane.thickness_mm))),
-      splinter_reach_mm_(pane.tempering.splinter_reach_mm) {
+      side_mm_(std::sqrt(square_mm2 / fragment_count(pane, glass))),
+      greatest_ratio_(glass.splinter_ratio.value_or(default_ratio(pane.thickness_mm))),
+      splinter_reach_mm_(glass.splinter_reach_mm) {
   const double log_reach = logarithm(std::max(reach_mm, 2.0 * least_distance_mm));
   const double log_least = logarithm(least_distance_mm);
   const auto count = static_cast<std::size_t>((log_reach - log_least) / log_step) + 2;

@@ -14,7 +14,7 @@ double least_fragment_count(double thickness_mm);
 
 // The mean number in such a square, away from the impact: what the pane gives, else half as many again as the least number at
 // 100 MPa, which goes with the fourth power of the stress; within 1 … 2500.
-double fragment_count(const Pane& pane);
+double fragment_count(const Pane& pane, const Tempered& glass);
 
 // Sizes of fragments, and the map that unfolds them. About the impact fragments are splinters that point away from it; farther
 // out they have no direction. Unfolded, all are as long as wide, so that splinters are the images of common Voronoi cells: the
@@ -23,7 +23,7 @@ double fragment_count(const Pane& pane);
 class DiceShape {
  public:
   //   reach_mm  the map is made for distances up to here, > 0
-  DiceShape(const Pane& pane, vec2 impact_mm, double reach_mm);
+  DiceShape(const Pane& pane, const Tempered& glass, vec2 impact_mm, double reach_mm);
 
   double width_mm(double r_mm) const;   // of a fragment, across the direction from the impact
   double length_mm(double r_mm) const;  // along it

@@ -1,6 +1,9 @@
 #include "glass/growth/crater.h"
 
+#include <variant>
+
 #include "core/functions.h"
+#include "core/overloaded.h"
 
 namespace shatterpave::glass {
 
@@ -15,18 +18,26 @@ constexpr double near_spall = 1.3;
 
 }  // namespace
 
+bool makes_crater(const Pane& pane) {
+  return std::visit(Overloaded{[&](const Annealed&) { return pane.pattern == Pattern::real; },
+                               [](const Laminated&) { return true; }, [](const Tempered&) { return false; }},
+                    pane.glass);
+}
+
 Crater crater_of(const Impact& impact, const Pane& pane) {
   const double pressure_pa = 1.25 * pi * steel_density_kg_m3 * impact.speed_m_s * impact.speed_m_s;
   Crater crater;
   crater.crushed_radius_mm = 0.5 * impact.ball_diameter_mm * power(pressure_pa / contact_modulus_pa, 0.2);
   crater.near_radius_mm = near_spall * crater.crushed_radius_mm;
   const double opening = sine(pane.crater_cone.radians()) / cosine(pane.crater_cone.radians());
-  if (pane.glass == GlassKind::laminated) {
-    crater.far_radius_mm = crater.near_radius_mm;
-    crater.milky_radius_mm = crater.near_radius_mm + pane.laminate.milky_width_mm;
-  } else {
-    crater.far_radius_mm = crater.near_radius_mm + opening * pane.thickness_mm;
-  }
+  const auto cone = [&] { return crater.near_radius_mm + opening * pane.thickness_mm; };
+  std::visit(Overloaded{[&](const Annealed&) { crater.far_radius_mm = cone(); },
+                        [&](const Laminated& glass) {
+                          crater.far_radius_mm = crater.near_radius_mm;
+                          crater.milky_radius_mm = crater.near_radius_mm + glass.milky_width_mm;
+                        },
+                        [&](const Tempered&) { crater.far_radius_mm = cone(); }},
+             pane.glass);
   return crater;
 }
 

@@ -141,7 +141,7 @@ ImpactState PaneGrowth::initial_state(int impact) {
   state.at_mm = geometry::on_lattice(cause.at_mm);
   state.counts = drawn_counts(cause, growth_, seed_, state.id);
   if (pane_.pattern == Pattern::real) state.counts.circular_count = 0;
-  if (pane_.pattern == Pattern::real || pane_.glass == GlassKind::laminated) state.counts.crater = crater_of(cause, pane_);
+  if (makes_crater(pane_)) state.counts.crater = crater_of(cause, pane_);
   // Eq. 4, 7, 8.
   const int r = state.counts.circular_count;
   const double mean_mm = growth_.ring_radius_slope_mm * state.counts.radial_count + growth_.ring_radius_offset_mm;
@@ -460,6 +460,8 @@ std::vector<ImpactCounts> grow(const Pane& pane, std::uint64_t seed, CrackMap& m
   return counts;
 }
 
+}  // namespace
+
 void require_few_steps(const Pane& pane) {
   if (!(diagonal(pane.outline_mm) <= most_steps_across * pane.growth.step_length * px_mm)) {
     throw InputError(Place{"", 0, 0, pane.name + ".growth"},
@@ -467,10 +469,7 @@ void require_few_steps(const Pane& pane) {
   }
 }
 
-}  // namespace
-
 CrackNetwork grown_cracks(const Pane& pane, std::uint64_t seed) {
-  require_few_steps(pane);
   CrackMap map(pane.outline_mm, narrow_cell_mm);
   std::vector<ImpactCounts> counts = grow(pane, seed, map);
   return {std::move(counts), map.cracks()};

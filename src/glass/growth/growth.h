@@ -8,6 +8,9 @@
 
 namespace shatterpave::glass {
 
+// Throws InputError for a step with which cracks would need more than a million to cross the pane.
+void require_few_steps(const Pane& pane);
+
 // The cracks of `pane` as annealed glass. Impacts happen in their order; cracks of a later one stop at those of an earlier one.
 // A pure function of its arguments: draws are addressed by the pane's name, the impact's index and the crack's place.
 //
@@ -18,8 +21,7 @@ namespace shatterpave::glass {
 // behind an edge or an earlier crack, seen from its impact, is left out; and so is a crack that stops before it is 1 µm long,
 // or 2 µm away from its neighbours.
 //
-// REQUIRES the ranges of glass/pane.h, and impacts strictly inside the outline. Throws InputError for a step with which cracks
-// would need more than a million to cross the pane.
+// REQUIRES the ranges of glass/pane.h, impacts strictly inside the outline, and what `require_few_steps` asks.
 //
 // A tip costs the same per step whatever grows elsewhere. See benchmarks/growth.cpp for the figures.
 CrackNetwork grown_cracks(const Pane& pane, std::uint64_t seed);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <variant>
 
 #include "glass/pane.h"
 #include "scene/toml/toml_table.h"
@@ -16,8 +17,8 @@ struct PaneFacts {
   const glass::Pane& pane;
 
   bool has(std::string_view key) const { return table.place_of_given(key).has_value(); }
-  bool is_tempered() const { return pane.glass == glass::GlassKind::tempered; }
-  bool is_laminated() const { return pane.glass == glass::GlassKind::laminated; }
+  bool is_tempered() const { return std::holds_alternative<glass::Tempered>(pane.glass); }
+  bool is_laminated() const { return std::holds_alternative<glass::Laminated>(pane.glass); }
   bool is_real() const { return pane.pattern == glass::Pattern::real; }
   bool all_impacts(bool (*is_so)(const glass::Impact&)) const { return std::ranges::all_of(pane.impacts, is_so); }
 };

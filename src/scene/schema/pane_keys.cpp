@@ -1,5 +1,7 @@
 #include "scene/schema/pane_keys.h"
 
+#include <variant>
+
 #include "glass/growth/counts.h"
 #include "glass/presets.h"
 #include "scene/schema/outline_rows.h"
@@ -10,17 +12,17 @@ namespace {
 
 using glass::CrackSheet;
 using glass::Impact;
-using glass::Laminate;
+using glass::Laminated;
 using glass::Pane;
 using glass::Rings;
 using glass::ShardRules;
-using glass::Tempering;
+using glass::Tempered;
 using rows::in;
 using PaneRow = Row<Pane, PaneFacts>;
 using ImpactRow = Row<Impact, ImpactFacts>;
 using RingsRow = Row<Rings, PaneFacts>;
-using LaminateRow = Row<Laminate, PaneFacts>;
-using TemperingRow = Row<Tempering, PaneFacts>;
+using LaminateRow = Row<Laminated, PaneFacts>;
+using TemperingRow = Row<Tempered, PaneFacts>;
 using SheetRow = Row<CrackSheet, PaneFacts>;
 using ShardsRow = Row<ShardsAsked, PaneFacts>;
 
@@ -36,6 +38,11 @@ bool all_interrupted(const PaneFacts& f) { return f.pane.rings.interruption == 1
 bool without_bevels(const PaneFacts& f) { return f.pane.shards && f.pane.shards->bevel_mm == 0.0; }
 bool without_preset(const PaneFacts& f) {
   return f.is_tempered() && f.has("impact") && (f.has("size_mm") || f.has("outline_mm") || f.has("outline_file"));
+}
+
+bool with_a_count(const PaneFacts& f) {
+  const auto* tempered = std::get_if<Tempered>(&f.pane.glass);
+  return tempered != nullptr && tempered->count_per_square.has_value();
 }
 
 bool struck_tempered(const ImpactFacts& f) { return f.pane.is_tempered(); }
@@ -56,7 +63,7 @@ RingsRow of_rings_too(const RingsRow& row, Member member) {
 }
 
 void apply_kind(Pane& pane) {
-  if (pane.glass != glass::GlassKind::laminated) return;
+  if (!std::holds_alternative<Laminated>(pane.glass)) return;
   pane.pattern = glass::Pattern::real;
   pane.rings = glass::laminated_rings;
 }
@@ -84,7 +91,7 @@ const Section<Pane, PaneFacts> pane_keys{
                 .idle(on_tempered, beside_tempered),
             PaneRow::table("shards", "the pieces between the cracks as solids, some of them fallen")
                 .by_default("none: cracks only"),
-            PaneRow::choice("glass", &Pane::glass, glass_kind_words,
+            PaneRow::choice("glass", &Pane::glass, glass_words,
                             "how the glass was made, and so how it breaks: window glass; two sheets held together by a film; "
                             "glass that falls to dice")
                 .then(apply_kind),
@@ -186,27 +193,27 @@ const Section<Pane, PaneFacts> crater_keys{
         PaneRow::angle("cone_deg", &Pane::crater_cone, {0.0, 85.0}, "how wide the spall opens through the glass, from upright"),
     }};
 
-const Section<Laminate, PaneFacts> laminate_keys{
+const Section<Laminated, PaneFacts> laminate_keys{
     "pane[].laminate",
     {
-        LaminateRow::number("through", &Laminate::through, {0.0, 1.0}, "part of the cracks that run through both sheets"),
-        LaminateRow::number("milky_width_mm", &Laminate::milky_width_mm, {0.0, 1000.0},
+        LaminateRow::number("through", &Laminated::through, {0.0, 1.0}, "part of the cracks that run through both sheets"),
+        LaminateRow::number("milky_width_mm", &Laminated::milky_width_mm, {0.0, 1000.0},
                             "width of the white rim about the crushed zone"),
     }};
 
-const Section<Tempering, PaneFacts> tempering_keys{
+const Section<Tempered, PaneFacts> tempering_keys{
     "pane[].tempering",
     {
-        TemperingRow::number("surface_stress_mpa", &Tempering::surface_stress_mpa, {20.0, 1000.0},
+        TemperingRow::number("surface_stress_mpa", &Tempered::surface_stress_mpa, {20.0, 1000.0},
                              "how strongly the glass is tempered: the number of fragments goes with its fourth power")
-            .idle([](const PaneFacts& f) { return f.pane.tempering.count_per_square.has_value(); }, "beside count_per_square"),
-        TemperingRow::number("count_per_square", &Tempering::count_per_square, {1.0, 2500.0},
+            .idle(with_a_count, "beside count_per_square"),
+        TemperingRow::number("count_per_square", &Tempered::count_per_square, {1.0, 2500.0},
                              "fragments in 50 × 50 mm, as EN 12150-1 counts them, away from the impact")
             .by_default("from stress and thickness"),
-        TemperingRow::number("splinter_ratio", &Tempering::splinter_ratio, {1.0, 20.0},
+        TemperingRow::number("splinter_ratio", &Tempered::splinter_ratio, {1.0, 20.0},
                              "length over width of the fragments near the impact; 1: no splinters")
             .by_default("from the thickness: 7 at 3 mm, 4 at 6 mm"),
-        TemperingRow::number("splinter_reach_mm", &Tempering::splinter_reach_mm, {1.0, 10'000.0},
+        TemperingRow::number("splinter_reach_mm", &Tempered::splinter_reach_mm, {1.0, 10'000.0},
                              "how far from the impact splinters are found"),
     }};
 

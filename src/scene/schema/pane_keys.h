@@ -23,8 +23,8 @@ extern const Section<glass::Impact, ImpactFacts> impact_keys;
 extern const Section<glass::Growth, PaneFacts> growth_keys;
 extern const Section<glass::Rings, PaneFacts> rings_keys;
 extern const Section<glass::Pane, PaneFacts> crater_keys;
-extern const Section<glass::Laminate, PaneFacts> laminate_keys;
-extern const Section<glass::Tempering, PaneFacts> tempering_keys;
+extern const Section<glass::Laminated, PaneFacts> laminate_keys;
+extern const Section<glass::Tempered, PaneFacts> tempering_keys;
 extern const Section<glass::CrackSheet, PaneFacts> crack_sheet_keys;
 extern const Section<ShardsAsked, PaneFacts> shards_keys;
 

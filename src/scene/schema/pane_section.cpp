@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "geometry/lattice.h"
 #include "glass/presets.h"
@@ -15,6 +16,21 @@
 namespace shatterpave::scene {
 
 namespace {
+
+void read_glass(const TomlTable& /*pane*/, glass::Annealed& /*annealed*/) {}
+void read_glass(const TomlTable& pane, glass::Laminated& laminated) { laminate_keys.read_in(pane, laminated); }
+void read_glass(const TomlTable& pane, glass::Tempered& tempered) { tempering_keys.read_in(pane, tempered); }
+
+// Of all kinds of glass, in their order. The tables of those that were not chosen are checked, so that kinds can be tried in
+// turn.
+template <typename... Kinds>
+void read_kinds(const TomlTable& pane, glass::Glass& chosen, const std::variant<Kinds...>& /*any*/) {
+  const auto read = [&](auto kind) {
+    auto* own = std::get_if<decltype(kind)>(&chosen);
+    read_glass(pane, own != nullptr ? *own : kind);
+  };
+  (read(Kinds{}), ...);
+}
 
 void read_shards(const TomlTable& pane, std::optional<glass::ShardRules>& shards) {
   ShardsAsked asked;
@@ -121,8 +137,7 @@ glass::Pane pane_of(const TomlTable& table, Plans& plans, Names& names) {
   growth_keys.read_in(table, pane.growth);
   rings_keys.read_in(table, pane.rings);
   crater_keys.read_in(table, pane);
-  laminate_keys.read_in(table, pane.laminate);
-  tempering_keys.read_in(table, pane.tempering);
+  read_kinds(table, pane.glass, pane.glass);
   read_shards(table, pane.shards);
   read_crack_sheet(table, pane);
   tell_idle_keys(table, pane, plans.notes());

@@ -1,9 +1,9 @@
 // The words of a scene file for values that are chosen from a list, each with its value.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "glass/pane.h"
@@ -26,16 +26,13 @@ std::vector<std::string_view> names_of(const Words& words) {
   return names;
 }
 
-// The word for a value; "" where it has none.
-template <typename Value, std::size_t count>
-constexpr std::string_view word_for(Value value, const std::array<Word<Value>, count>& words) {
-  const auto found = std::ranges::find(words, value, &Word<Value>::value);
-  return found == words.end() ? std::string_view() : found->name;
+// The kinds of glass, each as it is by default.
+template <typename... Kinds>
+constexpr std::array<Word<glass::Glass>, sizeof...(Kinds)> words_of_kinds(const std::variant<Kinds...>& /*any*/) {
+  return {{{Kinds::name, Kinds{}}...}};
 }
+inline constexpr auto glass_words = words_of_kinds(glass::Glass());
 
-inline constexpr auto glass_kind_words = std::to_array<Word<glass::GlassKind>>({{"annealed", glass::GlassKind::annealed},
-                                                                                {"laminated", glass::GlassKind::laminated},
-                                                                                {"tempered", glass::GlassKind::tempered}});
 inline constexpr auto pattern_words =
     std::to_array<Word<glass::Pattern>>({{"agui1992", glass::Pattern::agui1992}, {"real", glass::Pattern::real}});
 inline constexpr auto crack_body_words =

@@ -4,7 +4,7 @@
 
 #include "export/svg/drawing_svg.h"
 
-namespace shatterpave::exporting {
+namespace shatterpave::exporting::json {
 namespace {
 
 Model tiny_model() {
@@ -54,7 +54,7 @@ TEST(GeometryJson, NothingIsEmptyListsNotMissingKeys) {
 }
 
 TEST(DrawingSvg, OneDrawingEachInMillimetresWithYDown) {
-  const std::vector<OutputFile> files = svg_files(tiny_model());
+  const std::vector<OutputFile> files = svg::svg_files(tiny_model());
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].name, "tiny-window.svg");
   EXPECT_EQ(files[1].name, "tiny-path.svg");
@@ -70,4 +70,4 @@ TEST(DrawingSvg, OneDrawingEachInMillimetresWithYDown) {
 }
 
 }  // namespace
-}  // namespace shatterpave::exporting
+}  // namespace shatterpave::exporting::json

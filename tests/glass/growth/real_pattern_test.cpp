@@ -270,7 +270,7 @@ TEST(Craters, FollowHertzAndTheCone) {
   EXPECT_EQ(crater.milky_radius_mm, 0.0);
   pane.pattern = Pattern::agui1992;
   EXPECT_FALSE(broken(pane, 1).impacts[0].crater);
-  pane.glass = GlassKind::laminated;
+  pane.glass = Laminated{};
   const Crater held = *broken(pane, 1).impacts[0].crater;
   EXPECT_EQ(held.far_radius_mm, held.near_radius_mm);
   EXPECT_GT(held.milky_radius_mm, held.near_radius_mm);
@@ -278,7 +278,7 @@ TEST(Craters, FollowHertzAndTheCone) {
 
 Pane laminated_pane() {
   Pane pane = real_pane(96);
-  pane.glass = GlassKind::laminated;
+  pane.glass = Laminated{};
   pane.rings = laminated_rings;
   return pane;
 }

@@ -207,8 +207,8 @@ int floating(const Pane& pane, const std::vector<Shard>& all, double by_mm) {
 // Heaps too, in which pieces stay where they are as soon as they are at rest.
 TEST(FallenShards, RestOnSomething) {
   Pane heap = window();
-  heap.glass = GlassKind::tempered;
-  heap.tempering.count_per_square = 6.0;
+  heap.glass = Tempered{};
+  std::get<Tempered>(heap.glass).count_per_square = 6.0;
   heap.shards->missing = 1.0;
   heap.shards->missing_mm = 120.0;
   for (const Pane& pane : {window(), heap}) {
@@ -254,8 +254,8 @@ TEST(FallenShards, FallAlikeWithAnyNumberOfThreads) {
 
 TEST(FallenShards, AreRefusedWhereThereAreTooMany) {
   Pane pane = window();
-  pane.glass = GlassKind::tempered;
-  pane.tempering.count_per_square = 200.0;  // 5760 pieces
+  pane.glass = Tempered{};
+  std::get<Tempered>(pane.glass).count_per_square = 200.0;  // 5760 pieces
   pane.shards->missing = 1.0;
   pane.shards->missing_mm = 100000.0;
   try {

@@ -204,10 +204,10 @@ Pane odd_pane(std::uint64_t seed) {
   const geometry::Box box = geometry::bounding_box(pane.outline_mm);
   const vec2 size = box.high - box.low;
   if (draw() < 0.25) {
-    pane.glass = GlassKind::laminated;
+    pane.glass = Laminated{};
   } else if (draw() < 0.4 && size.x * size.y < 1e6) {
-    pane.glass = GlassKind::tempered;
-    pane.tempering.count_per_square = std::clamp(2500.0 * 500.0 / (size.x * size.y), 1.0, 2500.0);
+    pane.glass = Tempered{};
+    std::get<Tempered>(pane.glass).count_per_square = std::clamp(2500.0 * 500.0 / (size.x * size.y), 1.0, 2500.0);
   }
   ShardRules rules;
   rules.joined = draw() < 0.4;

@@ -202,8 +202,8 @@ TEST(Shards, OfFineDiceAreClosed) {
   Pane pane = random_pane(1, {1, 1});
   pane.outline_mm = {{0.0, 0.0}, {150.0, 0.0}, {150.0, 150.0}, {0.0, 150.0}};
   pane.impacts.front().at_mm = {75.0, 75.0};
-  pane.glass = GlassKind::tempered;
-  pane.tempering.count_per_square = 150.0;
+  pane.glass = Tempered{};
+  std::get<Tempered>(pane.glass).count_per_square = 150.0;
   pane.shards = ShardRules{};
   pane.shards->missing = 0.0;
   for (const std::uint64_t seed : {1U, 3U}) {

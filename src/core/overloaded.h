@@ -1,0 +1,11 @@
+// One function of several, for std::visit: it compiles only where each alternative has one.
+#pragma once
+
+namespace shatterpave {
+
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+
+}  // namespace shatterpave

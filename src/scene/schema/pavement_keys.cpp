@@ -74,6 +74,7 @@ PavementRow::List bond_rows() {
           .idle([](const PavementFacts& f) { return f.bond() != Bond::running; }, "without bond = \"running\""),
       PavementRow::angle("bond_turn_deg", in(&Pavement::bonding, &Bonding::turn), turn_range,
                          "turns the pattern against the rows: 45 for a diagonal herringbone")
+          .not_beside("steps")
           .idle([](const PavementFacts& f) { return f.bond() == Bond::packed && !f.pavement.textures.seamless; },
                 "beside bond = \"packed\"")
           .idle([](const PavementFacts& f) { return !f.is_straight() && f.is_rows(); }, "on rows that follow the direction"),

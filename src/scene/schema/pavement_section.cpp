@@ -85,15 +85,13 @@ std::optional<paving::Detail> detail_of(const TomlTable& pavement) {
 // Steps make sense of rows alone, and have no border of their own.
 void require_rows(const TomlTable& table, const paving::Pavement& pavement) {
   using paving::Bond;
-  const auto refuse_key = [&](std::string_view key) {
-    refuse(table.place(key), fmt::format("no {} beside steps", key), "one");
-  };
   const Bond bond = pavement.bonding.bond;
   if (table.has("bond") && bond != Bond::running && bond != Bond::stack) {
     refuse(table.place("bond"), "running or stack beside steps", "another one");
   }
-  if (table.has("bond_turn_deg")) refuse_key("bond_turn_deg");
-  if (pavement.border.course != paving::BorderCourse::none) refuse_key("border_course");
+  if (pavement.border.course != paving::BorderCourse::none) {
+    refuse(table.place("border_course"), "no border_course beside steps", "one");
+  }
   if (pavement.kerb.width_mm > 0.0) refuse(table.place("ground"), "no kerb beside steps", "one");
   if (pavement.textures.seamless) refuse(table.place("textures"), "no seamless textures beside steps", "seamless = true");
 }

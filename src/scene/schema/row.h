@@ -207,6 +207,10 @@ class Row {
   Row beside(std::string_view other, std::string_view what) const {
     return with([&](Row& row) { row.beside_ = std::pair(other, what); });
   }
+  // The key is refused beside the key `other`.
+  Row not_beside(std::string_view other) const {
+    return with([&](Row& row) { row.not_beside_ = other; });
+  }
   // What else follows from the key where it is given.
   Row then(void (*follow)(Thing&)) const {
     return with([&](Row& row) { row.follow_ = follow; });
@@ -218,6 +222,9 @@ class Row {
   void read(const TomlTable& table, Thing& thing) const {
     if (!table.has(key_.name)) return;
     if (beside_ && !table.has(beside_->first)) refuse(table.place(key_.name), beside_->second, "none");
+    if (!not_beside_.empty() && table.has(not_beside_)) {
+      refuse(table.place(key_.name), fmt::format("no {} beside {}", key_.name, not_beside_), "one");
+    }
     if (read_) read_(table, thing);
     if (follow_ != nullptr) follow_(thing);
   }
@@ -259,6 +266,7 @@ class Row {
   std::function<void(const TomlTable&, Thing&)> read_;
   std::vector<Rule> idle_;
   std::optional<std::pair<std::string_view, std::string_view>> beside_;
+  std::string_view not_beside_;
   void (*follow_)(Thing&) = nullptr;
 };
 

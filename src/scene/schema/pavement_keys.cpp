@@ -78,6 +78,16 @@ PavementRow::List bond_rows() {
           .idle([](const PavementFacts& f) { return f.bond() == Bond::packed && !f.pavement.textures.seamless; },
                 "beside bond = \"packed\"")
           .idle([](const PavementFacts& f) { return !f.is_straight() && f.is_rows(); }, "on rows that follow the direction"),
+      PavementRow::point(
+          "bond_start_mm", in(&Pavement::bonding, &Bonding::start_mm), coordinate_range,
+          "the point where the pattern begins, a landscape architect's point of beginning: a whole stone has its "
+          "corner there, with half the joint about it")
+          .by_default("the lower left corner of the area's box, turned to the rows")
+          .not_beside("steps")
+          .idle([](const PavementFacts& f) { return f.bond() == Bond::packed; }, "beside bond = \"packed\"")
+          .idle([](const PavementFacts& f) { return f.bond() == Bond::ashlar || f.bond() == Bond::crazy; },
+                "on a bond that does not repeat")
+          .idle([](const PavementFacts& f) { return !f.is_straight() && f.is_rows(); }, "on rows that follow the direction"),
       PavementRow::number("bond_span_mm", in(&Pavement::bonding, &Bonding::span_mm), range_of(paving::span_bounds_mm),
                           "`segmental_arc`, `fan`: width of an arc or a fan, five stones or more")
           .meaning("twelve stones")

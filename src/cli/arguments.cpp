@@ -13,6 +13,7 @@
 #include "core/words.h"
 #include "export/targets.h"
 #include "glass/growth/counts.h"
+#include "scene/schema/key_tables.h"
 
 namespace shatterpave::cli {
 
@@ -36,6 +37,8 @@ struct Requests {
   Texts sizes;
   Texts seed_counts;
   Texts radials;
+  bool keys_as_json = false;
+  bool keys_as_markdown = false;
 };
 
 void add(CLI::App& command, const char* name, Texts& texts, const char* value, const std::string& sentence) {
@@ -111,6 +114,12 @@ void add_measure(CLI::App& app, Requests& requests) {
   add(*command, "--radials", requests.radials, "LOW..HIGH",
       "Numbers of radial cracks, from LOW for the first seed to HIGH for the last, instead of what the scene says");
   add_threads(*command, requests);
+}
+
+void add_keys(CLI::App& app, Requests& requests) {
+  CLI::App* command = app.add_subcommand("keys", "List every key of scene files: type, range, default, and what it does");
+  command->add_flag("--json", requests.keys_as_json, "As JSON");
+  command->add_flag("--markdown", requests.keys_as_markdown, "As the tables of docs/scene-file.md");
 }
 
 std::vector<scene::Override> overrides_of(const Requests& requests) {
@@ -221,6 +230,12 @@ Command measure_of(const Requests& requests) {
   return Measure{scene, overrides_of(requests), output, options, threads_of(requests)};
 }
 
+Command keys_of(const Requests& requests) {
+  if (requests.keys_as_json && requests.keys_as_markdown) refuse_usage("keys", "--json or --markdown", "both");
+  if (requests.keys_as_json) return Show{scene::keys_json()};
+  return Show{requests.keys_as_markdown ? scene::keys_markdown() : scene::keys_text()};
+}
+
 }  // namespace
 
 Command command_of(int argc, const char* const* argv) {
@@ -230,6 +245,7 @@ Command command_of(int argc, const char* const* argv) {
   Requests requests;
   add_export(app, requests);
   add_check(app, requests);
+  add_keys(app, requests);
   add_measure(app, requests);
   add_render(app, requests);
   const Texts words(argv + 1, argv + argc);
@@ -248,6 +264,7 @@ Command command_of(int argc, const char* const* argv) {
     return Check{scene_of(requests, command), overrides_of(requests), targets_of(requests.targets)};
   }
   if (command == "export") return export_of(requests);
+  if (command == "keys") return keys_of(requests);
   return command == "measure" ? measure_of(requests) : render_of(requests);
 }
 

@@ -45,7 +45,7 @@ struct Measure {
   int threads = 0;  // 0: all processors
 };
 
-// Only a text is asked for: help or version.
+// Only a text is asked for: help, version, or the keys of scene files.
 struct Show {
   std::string text;
 };

@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "paving/bonds/bond.h"
 #include "paving/bonds/border.h"
+#include "paving/limits.h"
 #include "paving/packing/packing.h"
 #include "paving/packing/particle_cells.h"
 #include "paving/packing/settling.h"
@@ -20,9 +21,6 @@
 namespace shatterpave::paving {
 
 namespace {
-
-// Memory is about 1.5 kB a stone at the peak; this many fit 4 GiB.
-constexpr double most_stones = 2e6;
 
 double border_length(const geometry::RegionIndex& area) {
   double total = 0.0;
@@ -52,13 +50,12 @@ void check_shape(const Pavement& pavement) {
                      fmt::format("expected stones at least as long as wide for this bond, got [{}, {}]", stone.x, stone.y));
   }
   if (bond != Bond::segmental_arc && bond != Bond::fan) return;
-  // With deeper ones perpends, which fan out, would meet.
-  if (stone.y > 2.0 * stone.x || stone.x > 2.0 * stone.y) {
+  if (stone.y > longest_arc_stone * stone.x || stone.x > longest_arc_stone * stone.y) {
     throw InputError(
         place_of(pavement, "stone_mm"),
         fmt::format("expected stones at most twice as long as wide for this bond, got [{}, {}]", stone.x, stone.y));
   }
-  const double least = 5.0 * (std::max(stone.x, stone.y) + pavement.joint_mm);
+  const double least = least_stones_to_a_span * (std::max(stone.x, stone.y) + pavement.joint_mm);
   if (pavement.bonding.span_mm != 0.0 && pavement.bonding.span_mm < least) {
     throw InputError(place_of(pavement, "bond_span_mm"),
                      fmt::format("expected 0, or at least {} (five stones), got {}", least, pavement.bonding.span_mm));
@@ -70,18 +67,19 @@ void check(const Pavement& pavement) {
     if (mm >= least && mm <= geometry::largest_coordinate_mm) return;
     throw InputError(place_of(pavement, member), fmt::format("expected {} or more, got {}", least, mm));
   };
-  require("stone_mm", pavement.stone_mm.x, 1.0);
-  require("stone_mm", pavement.stone_mm.y, 1.0);
-  require("joint_mm", pavement.joint_mm, 0.0);
+  require("stone_mm", pavement.stone_mm.x, stone_bounds_mm.low);
+  require("stone_mm", pavement.stone_mm.y, stone_bounds_mm.low);
+  require("joint_mm", pavement.joint_mm, joint_bounds_mm.low);
   const Bonding& bonding = pavement.bonding;
-  if (!(bonding.offset >= 0.0 && bonding.offset <= 1.0)) {
-    throw InputError(place_of(pavement, "bond_offset"), fmt::format("expected 0 to 1, got {}", bonding.offset));
+  if (!(bonding.offset >= offset_bounds.low && bonding.offset <= offset_bounds.high)) {
+    throw InputError(place_of(pavement, "bond_offset"),
+                     fmt::format("expected {} to {}, got {}", offset_bounds.low, offset_bounds.high, bonding.offset));
   }
-  require("bond_span_mm", bonding.span_mm, 0.0);
+  require("bond_span_mm", bonding.span_mm, span_bounds_mm.low);
   check_shape(pavement);
   const vec2 border = border_stone_mm(pavement);
-  require("border_stone_mm", border.x, 1.0);
-  require("border_stone_mm", border.y, 1.0);
+  require("border_stone_mm", border.x, stone_bounds_mm.low);
+  require("border_stone_mm", border.y, stone_bounds_mm.low);
   if (pavement.area.outline.size() < 3 || geometry::area(pavement.area.outline) == 0.0) {
     throw InputError(place_of(pavement, "outline_mm"), "expected a polygon with an area");
   }

@@ -59,6 +59,9 @@ struct Bonding {
   Angle turn;            // of the pattern against the rows; herringbone: 0° or 45° are usual
   double span_mm = 0.0;  // segmental arc, fan: width of an arc or a fan, >= 0; 0: twelve stones
   double start = 0.0;    // running, stack: how far the first row has moved on, as a part of a stone, 0 … 1
+  // Where a pattern that repeats, laid in one direction, has the corner of a whole stone, with half the joint about it: the
+  // point of beginning of landscape architects. Not given: in the lower left corner of the area's box turned to the rows.
+  std::optional<vec2> start_mm{};
   bool operator==(const Bonding&) const = default;
 };
 

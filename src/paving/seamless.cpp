@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/error.h"
 #include "geometry/lattice.h"
 #include "paving/bonds/bond.h"
+#include "paving/limits.h"
 #include "paving/packing/packing.h"
 #include "paving/tiles/cutting.h"
 #include "paving/tiles/variation.h"
@@ -24,7 +26,6 @@ using Matrix = glm::dmat2;
 
 constexpr double stones_to_a_tile = 10.0;
 constexpr std::int64_t most_periods = 400;  // along a side
-constexpr double most_tile_stones = 1e6;
 
 // Of a member of the textures, for messages.
 Place texture_place(const Pavement& pavement, std::string_view member) {
@@ -151,10 +152,16 @@ std::vector<Step> class_points(const Fit& fit) {
   return points;
 }
 
-}  // namespace
+// The pattern of a tile, and how it is fitted in.
+struct Plan {
+  Pattern pattern;
+  vec2 along{1.0, 0.0};
+  Repetition repetition;
+  Fit fit;
+};
 
-SeamlessTile seamless_tile(const Pavement& pavement, std::uint64_t seed) {
-  const std::optional<Pattern> pattern = periodic_pattern(pavement);
+Plan plan_of(const Pavement& pavement) {
+  std::optional<Pattern> pattern = periodic_pattern(pavement);
   if (!pattern) {
     throw InputError(texture_place(pavement, "seamless"),
                      "expected a bond that repeats (not ashlar or crazy), and rows in one direction");
@@ -170,9 +177,18 @@ SeamlessTile seamless_tile(const Pavement& pavement, std::uint64_t seed) {
     throw InputError(texture_place(pavement, "tile_mm"),
                      fmt::format("expected a tile of at most {:.0f} stones, got {:.0f}", most_tile_stones, count));
   }
+  return {std::move(*pattern), along, repetition, fit};
+}
+
+}  // namespace
+
+void require_seamless(const Pavement& pavement) { static_cast<void>(plan_of(pavement)); }
+
+SeamlessTile seamless_tile(const Pavement& pavement, std::uint64_t seed) {
+  const auto [pattern, along, repetition, fit] = plan_of(pavement);
   SeamlessTile tile{fit.size_mm, {}};
   for (const Step& step : class_points(fit)) {
-    for (const Tile& stone : pattern->tiles) {
+    for (const Tile& stone : pattern.tiles) {
       geometry::Polygon outline;
       for (const vec2& p : stone.outline_mm) {
         const vec2 turned = repetition.at(step) + p.x * along + p.y * left_of(along);

@@ -21,6 +21,9 @@ struct SeamlessTile {
 // arguments. Throws InputError where the bond does not repeat, or not over that size, with one that would do.
 SeamlessTile seamless_tile(const Pavement& pavement, std::uint64_t seed);
 
+// Throws what `seamless_tile` would, without laying a stone.
+void require_seamless(const Pavement& pavement);
+
 inline constexpr double most_stretch = 0.03;  // by eye: 3 mm on a sett of 100 mm, less than hewn setts differ by
 
 }  // namespace shatterpave::paving

@@ -114,7 +114,7 @@ void require_possible(const scene::Scene& scene) {
     const scene::KeyPlaces& places = places_at(scene.pavement_places, i);
     with_places(pavement.name, places, [&] {
       paving::require_layable(pavement);
-      if (pavement.textures.seamless) static_cast<void>(paving::seamless_tile(pavement, scene.seed));
+      if (pavement.textures.seamless) paving::require_seamless(pavement);
     });
     if (pavement.kerb.width_mm == 0.0) continue;
     with_kerb_places(places, [&] { paving::require_layable(paving::kerb(pavement)); });
@@ -139,6 +139,7 @@ void require_possible_for(const exporting::Target& target, const scene::Scene& s
 }
 
 exporting::Model generated(const scene::Scene& scene, const Progress& progress) {
+  require_possible(scene);
   exporting::Model model;
   model.name = scene.name;
   model.fingerprint = scene.fingerprint;

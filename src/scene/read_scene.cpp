@@ -4,16 +4,14 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 
-#include "core/embedded.h"
 #include "core/sha256.h"
 #include "scene/input_file.h"
 #include "scene/schema/idle_keys.h"
-#include "scene/schema/keys.h"
 #include "scene/schema/pane_section.h"
 #include "scene/schema/pavement_section.h"
+#include "scene/schema/scene_keys.h"
 #include "scene/toml/apply_override.h"
 #include "scene/toml/toml_table.h"
 
@@ -64,30 +62,18 @@ std::string scene_name(const std::filesystem::path& file) {
   return name;
 }
 
-// Settings are the templates whose names end so.
-constexpr std::string_view setting_ending = "_still.pov";
-
 Still still_of(const TomlTable& root) {
   Still still;
-  const auto table = root.table("still", still_keys);
+  const auto table = still_keys.read_in(root, still);
   const auto setting = table ? table->text("setting") : std::nullopt;
-  if (table) {
-    still.dispersion = table->flag("dispersion").value_or(false);
-    still.caustics = table->flag("caustics").value_or(false);
-  }
   if (!setting || setting->empty()) return still;
-  std::vector<std::string_view> names;
-  for (const EmbeddedFile& file : embedded_files()) {
-    if (!file.name.ends_with(setting_ending)) continue;
-    const std::string_view name = file.name.substr(0, file.name.rfind('.'));
-    if (name == *setting) still.setting = *setting;
-    names.push_back(name);
-  }
-  if (still.setting.empty()) {
+  const std::vector<std::string_view> names = settings();
+  if (std::ranges::find(names, *setting) == names.end()) {
     const std::string_view meant = nearest(*setting, names);
     refuse(table->place("setting"), "a setting of " + listed(names, "or"),
            in_quotes(*setting) + (meant.empty() ? std::string() : fmt::format("; did you mean {}?", meant)));
   }
+  still.setting = *setting;
   return still;
 }
 
@@ -103,11 +89,10 @@ std::string fingerprint_of(const toml::table& table, const Plans& plans) {
 
 Scene scene_of_table(const toml::table& table, const std::filesystem::path& file) {
   const std::string file_name = file.string();
-  const TomlTable root(table, file_name, "", root_keys);
+  const TomlTable root(table, file_name, "", root_keys.names());
   Scene scene;
   scene.name = scene_name(file);
-  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-  scene.seed = static_cast<std::uint64_t>(root.whole_number("seed", 0, most).value_or(1));
+  root_keys.read(root, scene);
   Plans plans(root, scene.notes);
   Names names;
   read_panes(root, plans, names, scene);

@@ -200,7 +200,7 @@ TEST_F(Command, WrongUsageNamesTheWordAndWhatWasMeant) {
     std::vector<std::string> arguments;
     std::string message;
   };
-  const std::string commands = "shatterpave: expected a command, export, check, measure or render, got ";
+  const std::string commands = "shatterpave: expected a command, export, check, keys, measure or render, got ";
   const std::string of_export =
       "shatterpave: export: expected an option of -h, --help, --set, --seed, -o, --target or --threads, got ";
   const std::string size = "shatterpave: --size: expected WIDTHxHEIGHT in pixels, each from 1 to 16384, such as 640x480, got ";

@@ -133,7 +133,12 @@ std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionInd
   const Id id(pavement.name);
   if (bonding.bond == Bond::ashlar) return ashlar_tiles(pitch_mm(pavement), placement, area, seed, id);
   if (bonding.bond == Bond::crazy) return crazy_tiles(pitch_mm(pavement), placement, area, seed, id);
-  return repeated(pattern_of(pavement), placement, area);
+  const Pattern pattern = pattern_of(pavement);
+  if (bonding.start_mm) {
+    placement.origin = vec2{0.0, 0.0};
+    placement.origin = *bonding.start_mm - placement.out_of(pattern.tiles.front().outline_mm.front());
+  }
+  return repeated(pattern, placement, area);
 }
 
 Stock stock(const Pavement& pavement) {

@@ -1,5 +1,5 @@
 // Keys that a scene gives, but that change nothing beside its other keys. None is passed over in silence: each is told, so that
-// someone who turns it and sees no change learns why.
+// someone who turns it and sees no change learns why. When a key has no effect stands in its row (scene/schema/row.h).
 //
 // `shards.enabled = false` alone says itself that the rest of its table has no effect, and is not told.
 #pragma once

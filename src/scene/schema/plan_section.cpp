@@ -1,18 +1,16 @@
 #include "scene/schema/plan_section.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <limits>
 
 #include "scene/input_file.h"
 #include "scene/plans/plan_areas.h"
+#include "scene/schema/ranges.h"
+#include "scene/schema/scene_keys.h"
 
 namespace shatterpave::scene {
 
 namespace {
-
-constexpr Range width_range{1.0, 100'000.0};
 
 // The keys of one use of a plan.
 struct PlanKeys {
@@ -40,11 +38,9 @@ ShapeChoice choice_of(const TomlTable& table, const PlanKeys& keys) {
 }
 
 std::optional<PlanUnits> units_asked(const TomlTable& table, const Plan& plan) {
-  constexpr std::array units = {PlanUnits::degrees, PlanUnits::metres, PlanUnits::millimetres, PlanUnits::feet,
-                                PlanUnits::us_survey_feet};
-  const auto chosen = table.choice("outline_units", {"degrees", "metres", "millimetres", "feet", "us_survey_feet"});
+  const auto chosen = table.choice("outline_units", names_of(plan_unit_words));
   if (!chosen || plan.svg) return std::nullopt;
-  return units.at(*chosen);
+  return plan_unit_words.at(*chosen).value;
 }
 
 // Areas, and with a width lines and points too.
@@ -80,11 +76,10 @@ std::vector<vec2> guide_of(const PlanShape& shape, const PlanFrame& frame) {
 }  // namespace
 
 Plans::Plans(const TomlTable& root, std::vector<Note>& notes) : notes_(notes) {
-  const auto table = root.table("plan", plan_keys);
-  if (!table) return;
-  constexpr double most = std::numeric_limits<double>::max();
-  origin_ = table->point("origin", {-most, most});
-  table->read("svg_scale", {0.001, 100'000.0}, svg_scale_);
+  PlanAsked asked;
+  plan_keys.read_in(root, asked);
+  origin_ = asked.origin;
+  svg_scale_ = asked.svg_scale;
 }
 
 const Plan& Plans::plan(const TomlTable& table, std::string_view file_key) {

@@ -7,6 +7,7 @@
 #include "core/embedded.h"
 #include "scene/input_file.h"
 #include "scene/plans/outline.h"
+#include "scene/schema/ranges.h"
 
 namespace shatterpave::scene {
 
@@ -76,7 +77,7 @@ std::vector<geometry::Region> outlines_of(const TomlTable& table, Plans& plans, 
     PlacedPoints outline = *table.points("outline_mm", coordinate_range);
     return {region_of({std::move(outline.points), std::move(outline.place)}, holes_of(table), &plans.notes())};
   }
-  const auto size = table.point("size_mm", {0.0, geometry::largest_coordinate_mm, true});
+  const auto size = table.point("size_mm", size_range);
   if (!size && !default_size_mm) refuse(table.place("outline_mm"), "size_mm, outline_mm or outline_file", "none of them");
   return {region_of(rectangle(size.value_or(default_size_mm.value_or(vec2{})), table.place("size_mm")), holes_of(table),
                     &plans.notes())};

@@ -6,14 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "geometry/lattice.h"
 #include "geometry/polygon.h"
 #include "scene/schema/plan_section.h"
 #include "scene/toml/toml_table.h"
 
 namespace shatterpave::scene {
-
-inline constexpr Range coordinate_range{-geometry::largest_coordinate_mm, geometry::largest_coordinate_mm};
 
 // `name`: 1 to 64 of letters, digits, '_' and '-', the first a letter.
 std::string name_of(const TomlTable& table);

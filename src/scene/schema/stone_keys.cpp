@@ -1,28 +1,43 @@
-#include "scene/schema/stone_keys.h"
-
-#include <fmt/format.h>
-
-#include <array>
+// The keys that say how stones are worked, how they differ, and how the ground lies.
+#include <utility>
 
 #include "paving/catalogue/finishes.h"
-#include "scene/schema/keys.h"
+#include "paving/limits.h"
+#include "scene/schema/pavement_keys.h"
+#include "scene/schema/ranges.h"
 
 namespace shatterpave::scene {
 
 namespace {
 
-// Half of it is joint at the most, and stones are at least a millimetre wide.
-constexpr double least_kerb_mm = 2.0;
+using paving::Detail;
+using paving::Ground;
+using paving::Kerb;
+using paving::Pavement;
+using paving::Relief;
+using paving::StoneBody;
+using paving::StoneSurface;
+using paving::Variation;
+using rows::in;
+using StoneRow = Row<Pavement, PavementFacts>;
+using VariationRow = Row<Variation, PavementFacts>;
+using ReliefRow = Row<Relief, PavementFacts>;
+using DetailRow = Row<Detail, PavementFacts>;
 
-void read_finish(const TomlTable& surface, paving::Pavement& pavement) {
-  const auto chosen = surface.choice("finish", {"flat_sawn", "bush_hammered", "split", "river_worn"});
-  if (!chosen) {
-    for (const std::string_view key : {"arris", "arris_mm", "crown_mm", "uneven_mm", "wear_mm", "chips_per_m"}) {
-      if (surface.has(key)) refuse(surface.place(key), "a finish beside it", "none");
-    }
-    return;
-  }
-  const paving::FinishPreset& preset = paving::finish_presets.at(*chosen);
+constexpr std::string_view beside_finish = "beside finish";
+constexpr std::string_view by_finish = "by finish";
+
+bool with_body(const PavementFacts& f) { return f.has_body(); }
+bool without_kerb(const PavementFacts& f) { return f.pavement.kerb.width_mm == 0.0; }
+bool without_joints(const PavementFacts& f) { return f.pavement.joint_mm == 0.0; }
+bool none_laid(const PavementFacts& f) { return f.pavement.variation.missing == 1.0; }
+
+constexpr std::string_view without_kerb_width = "without kerb_width_mm";
+constexpr std::string_view without_a_joint = "beside joint_mm = 0, which leaves stones no room";
+constexpr std::string_view beside_none_laid = "beside missing = 1, which leaves no stone";
+
+void apply_finish(Pavement& pavement, std::size_t chosen) {
+  const paving::FinishPreset& preset = paving::finish_presets.at(chosen);
   pavement.body = preset.body;
   pavement.surface.height_mm = preset.height_mm;
   pavement.surface.height_spread = preset.height_spread;
@@ -30,100 +45,136 @@ void read_finish(const TomlTable& surface, paving::Pavement& pavement) {
   pavement.relief = preset.relief;
 }
 
-void read_surface(const TomlTable& pavement, paving::Pavement& result) {
-  const auto table = pavement.table("surface", surface_keys);
-  if (!table) return;
-  read_finish(*table, result);
-  table->read("height_mm", {0.0, 1000.0}, result.surface.height_mm);
-  table->read("height_spread", {0.0, 1.0}, result.surface.height_spread);
-  table->read("inset", {0.0, 0.5}, result.surface.inset);
-  table->read("inset_spread", {0.0, 1.0}, result.surface.inset_spread);
-  paving::StoneBody& body = result.body;
-  constexpr std::array arrises = {paving::Arris::rounded, paving::Arris::chamfered};
-  if (const auto arris = table->choice("arris", {"rounded", "chamfered"})) body.arris = arrises.at(*arris);
-  table->read("arris_mm", {0.1, 1000.0}, body.arris_mm);
-  table->read("crown_mm", {0.0, 1000.0}, body.crown_mm);
-  table->read("uneven_mm", {0.0, 1000.0}, body.uneven_mm);
-  table->read("wear_mm", {0.0, 1000.0}, body.wear_mm);
-  table->read("chips_per_m", {0.0, 1000.0}, body.chips_per_m);
-}
+// A key that needs a finish.
+StoneRow with_finish(const StoneRow& row) { return row.beside("finish", "a finish beside it"); }
 
-void read_variation(const TomlTable& pavement, paving::Variation& variation) {
-  const auto table = pavement.table("variation", variation_keys);
-  if (!table) return;
-  table->read("size", {0.0, 0.5}, variation.size);
-  variation.rotation = Angle::degrees(table->number("rotation_deg", {0.0, 45.0}).value_or(0.0));
-  table->read("offset_mm", {0.0, 1000.0}, variation.offset_mm);
-  table->read("sink_mm", {0.0, 1000.0}, variation.sink_mm);
-  table->read("missing", {0.0, 1.0}, variation.missing);
-  if (const auto tilt = table->number("tilt_deg", {0.0, 10.0})) variation.tilt = Angle::degrees(*tilt);
+VariationRow in_joints(const VariationRow& row) {
+  return row.idle(none_laid, beside_none_laid).idle(without_joints, without_a_joint);
 }
-
-void read_relief(const TomlTable& pavement, paving::Relief& relief) {
-  const auto table = pavement.table("relief", relief_keys);
-  if (!table) return;
-  table->read("rms_mm", {0.0, 100.0}, relief.rms_mm);
-  table->read("hurst", {0.0, 1.0}, relief.hurst);
-}
-
-std::optional<TomlTable> ground_table(const TomlTable& pavement) { return pavement.table("ground", ground_keys); }
 
 }  // namespace
 
-void read_stones(const TomlTable& pavement, paving::Pavement& result) {
-  read_surface(pavement, result);
-  read_variation(pavement, result.variation);
-  read_relief(pavement, result.relief);
-}
+// A finish comes before the keys that win over it.
+const Section<Pavement, PavementFacts> surface_keys{
+    "pavement[].surface",
+    {
+        StoneRow::preset("finish", names_of(paving::finish_presets), apply_finish,
+                         "stones with a face, arrises and steep sides. `height_mm` is then the height of the faces above the "
+                         "filling of the joints, and the insets have no effect. A key given beside it wins")
+            .by_default("none: the patch of the paper"),
+        StoneRow::number("height_mm", in(&Pavement::surface, &StoneSurface::height_mm), {0.0, 1000.0},
+                         "height of the inner control points of the Bézier patch above its border")
+            .meaning("or by finish"),
+        StoneRow::number("height_spread", in(&Pavement::surface, &StoneSurface::height_spread), {0.0, 1.0},
+                         "each stone's own height is within ± this fraction")
+            .meaning("or by finish")
+            .idle(in_a_flight, beside_steps)
+            .idle([](const PavementFacts& f) { return f.pavement.surface.height_mm == 0.0; }, "beside height_mm = 0"),
+        StoneRow::number("inset", in(&Pavement::surface, &StoneSurface::inset), {0.0, 0.5},
+                         "distance of the inner control points from the sides, as a fraction of the stone")
+            .idle(with_body, beside_finish)
+            .idle(in_a_flight, beside_steps),
+        StoneRow::number("inset_spread", in(&Pavement::surface, &StoneSurface::inset_spread), {0.0, 1.0},
+                         "each stone's own inset is within ± this fraction")
+            .idle(with_body, beside_finish)
+            .idle(in_a_flight, beside_steps)
+            .idle([](const PavementFacts& f) { return f.pavement.surface.inset == 0.0; }, "beside inset = 0"),
+        with_finish(StoneRow::choice("arris", in(&Pavement::body, &StoneBody::arris), arris_words,
+                                     "the edge of the face; this and the keys below need a finish")
+                        .by_default(by_finish)),
+        with_finish(
+            StoneRow::number(
+                "arris_mm", in(&Pavement::body, &StoneBody::arris_mm), {0.1, 1000.0},
+                "width of the arris, each stone's own within ± 25 %. A side that was sawn to fit the border has a sharp "
+                "arris of at most 1.5 mm, without chips")
+                .by_default(by_finish)),
+        with_finish(StoneRow::number("crown_mm", in(&Pavement::body, &StoneBody::crown_mm), {0.0, 1000.0},
+                                     "rise of the middle of the face over the middles of its sides, ± 30 %")
+                        .by_default(by_finish)),
+        with_finish(StoneRow::number("uneven_mm", in(&Pavement::body, &StoneBody::uneven_mm), {0.0, 1000.0},
+                                     "how far the face is warped like a saddle, either way")
+                        .by_default(by_finish)),
+        with_finish(
+            StoneRow::number("wear_mm", in(&Pavement::body, &StoneBody::wear_mm), {0.0, 1000.0},
+                             "how much lower stones in the middle of the pavement lie than at its border; they are also "
+                             "smoother, with rounder arrises and fewer chips")),
+        with_finish(StoneRow::number("chips_per_m", in(&Pavement::body, &StoneBody::chips_per_m), {0.0, 1000.0},
+                                     "mean number of chips along a metre of arris; at most one a side, on rounded arrises only")
+                        .by_default(by_finish)
+                        .idle([](const PavementFacts& f) { return f.pavement.body.arris == paving::Arris::chamfered; },
+                              "on chamfered arrises")),
+    }};
 
-paving::Look look_of(const TomlTable& pavement) {
-  using paving::Material;
-  constexpr std::array materials = {Material::setts,     Material::granite,   Material::basalt,
-                                    Material::sandstone, Material::limestone, Material::brick};
-  constexpr std::array fills = {paving::JointFill::sand, paving::JointFill::mortar};
-  paving::Look look;
-  const auto material = pavement.choice("material", {"setts", "granite", "basalt", "sandstone", "limestone", "brick"});
-  look.material = materials.at(material.value_or(0));
-  if (const auto fill = pavement.choice("joint_fill", {"sand", "mortar"})) look.joint_fill = fills.at(*fill);
-  look.moss = pavement.number("moss", {0.0, 1.0});
-  pavement.read("wetness", {0.0, 1.0}, look.wetness);
-  return look;
-}
+const Section<Variation, PavementFacts> variation_keys{
+    "pavement[].variation",
+    {
+        in_joints(
+            VariationRow::number("size", &Variation::size, {0.0, 0.5}, "each stone is larger or smaller by up to this part")),
+        in_joints(VariationRow::angle("rotation_deg", &Variation::rotation, {0.0, 45.0},
+                                      "each stone is turned by up to this angle, either way")),
+        in_joints(VariationRow::number("offset_mm", &Variation::offset_mm, {0.0, 1000.0},
+                                       "each stone is moved by up to this, along x and along y")),
+        VariationRow::number("sink_mm", &Variation::sink_mm, {0.0, 1000.0}, "each stone lies lower by up to this")
+            .idle(none_laid, beside_none_laid),
+        VariationRow::angle(
+            "tilt_deg", &Variation::tilt, {0.0, 10.0},
+            "each face is tilted by up to this along x and along y; stones of more than one and a half times the "
+            "size less, so that no corner rises farther")
+            .by_default("by finish; without one the crown leans by up to 1°")
+            .idle(none_laid, beside_none_laid),
+        VariationRow::number("missing", &Variation::missing, {0.0, 1.0},
+                             "part of the stones that are not there; their ids are left out"),
+    }};
 
-paving::Ground ground_of(const TomlTable& pavement) {
-  paving::Ground ground;
-  const auto table = ground_table(pavement);
-  if (!table) return ground;
-  table->read("fall_percent", {0.0, 100.0}, ground.fall_percent);
-  ground.fall_direction = Angle::degrees(table->number("fall_deg", {-360.0, 360.0}).value_or(0.0));
-  table->read("level_mm", {-100'000.0, 100'000.0}, ground.level_mm);
-  table->read("settlement_mm", {0.0, 1000.0}, ground.settlement_mm);
-  table->read("settlement_length_mm", {100.0, 1'000'000.0}, ground.settlement_length_mm);
-  return ground;
-}
+const Section<Relief, PavementFacts> relief_keys{
+    "pavement[].relief",
+    {
+        ReliefRow::number("rms_mm", &Relief::rms_mm, {0.0, 100.0}, "root mean square of the height; 0 leaves the relief out")
+            .meaning("or by finish"),
+        ReliefRow::number("hurst", &Relief::hurst, {0.0, 1.0}, "Hurst exponent: near 0 gritty, near 1 smooth")
+            .meaning("or by finish")
+            .idle([](const PavementFacts& f) { return f.pavement.relief.rms_mm == 0.0; }, "beside rms_mm = 0"),
+    }};
 
-std::optional<paving::Detail> detail_of(const TomlTable& pavement) {
-  const auto table = pavement.table("detail", detail_keys);
-  if (!table) return std::nullopt;
-  paving::Detail detail;
-  constexpr Range place{-1e9, 1e9};
-  detail.viewer_mm = table->point("viewer_mm", place).value_or(detail.viewer_mm);
-  table->read("close_mm", {0.0, 100'000.0}, detail.close_mm);
-  table->read("mesh_mm", {0.1, 1000.0}, detail.mesh_mm);
-  return detail;
-}
+const Section<Pavement, PavementFacts> ground_keys{
+    "pavement[].ground",
+    {
+        StoneRow::number("fall_percent", in(&Pavement::ground, &Ground::fall_percent), {0.0, 100.0},
+                         "fall for drainage, or a slope: 2 is 2 cm a metre"),
+        StoneRow::angle("fall_deg", in(&Pavement::ground, &Ground::fall_direction), {-360.0, 360.0},
+                        "direction of the fall, downhill, from +x")
+            .idle([](const PavementFacts& f) { return f.pavement.ground.fall_percent == 0.0; }, "without fall_percent"),
+        StoneRow::number("level_mm", in(&Pavement::ground, &Ground::level_mm), {-100'000.0, 100'000.0},
+                         "height of the whole at the origin of the plan"),
+        StoneRow::number("settlement_mm", in(&Pavement::ground, &Ground::settlement_mm), {0.0, 1000.0},
+                         "how far the ground has sunk in its hollows; stones lie and lean as it does")
+            .idle(in_a_flight, beside_steps),
+        StoneRow::number("settlement_length_mm", in(&Pavement::ground, &Ground::settlement_length_mm), {100.0, 1'000'000.0},
+                         "distance from one hollow of the ground to the next")
+            .idle(in_a_flight, beside_steps)
+            .idle([](const PavementFacts& f) { return f.pavement.ground.settlement_mm == 0.0; }, "without settlement_mm"),
+        StoneRow::number("kerb_width_mm", in(&Pavement::kerb, &Kerb::width_mm), {0.0, paving::kerb_bounds_mm.high},
+                         fmt::format("kerb stones along the outline, outside: a pavement of its own, named NAME`_kerb`, a row "
+                                     "of stones with chamfered arrises; {} or more",
+                                     number_text(paving::kerb_bounds_mm.low)))
+            .meaning("none"),
+        StoneRow::number("kerb_length_mm", in(&Pavement::kerb, &Kerb::length_mm), range_of(paving::stone_bounds_mm),
+                         "length of a kerb stone")
+            .idle(without_kerb, without_kerb_width),
+        StoneRow::number("kerb_height_mm", in(&Pavement::kerb, &Kerb::height_mm), {0.0, 1000.0},
+                         "height of the kerb above the stones")
+            .idle(without_kerb, without_kerb_width),
+    }};
 
-paving::Kerb kerb_of(const TomlTable& pavement) {
-  paving::Kerb kerb;
-  const auto table = ground_table(pavement);
-  if (!table) return kerb;
-  table->read("kerb_width_mm", {0.0, 10'000.0}, kerb.width_mm);
-  if (kerb.width_mm > 0.0 && kerb.width_mm < least_kerb_mm) {
-    refuse(table->place("kerb_width_mm"), fmt::format("0, or {} or more", least_kerb_mm), fmt::format("{}", kerb.width_mm));
-  }
-  table->read("kerb_length_mm", {1.0, 100'000.0}, kerb.length_mm);
-  table->read("kerb_height_mm", {0.0, 1000.0}, kerb.height_mm);
-  return kerb;
-}
+const Section<Detail, PavementFacts> detail_keys{
+    "pavement[].detail",
+    {
+        DetailRow::point("viewer_mm", &Detail::viewer_mm, {-1e9, 1e9}, "from where the picture is taken, on the plan"),
+        DetailRow::number("close_mm", &Detail::close_mm, {0.0, 100'000.0},
+                          "stones up to here are meshes with relief and chips as true geometry: some 200 KB each"),
+        DetailRow::number("mesh_mm", &Detail::mesh_mm, {0.1, 1000.0}, "length of the sides of the triangles of these meshes")
+            .idle([](const PavementFacts& f) { return f.pavement.detail && f.pavement.detail->close_mm == 0.0; },
+                  "without close_mm"),
+    }};
 
 }  // namespace shatterpave::scene

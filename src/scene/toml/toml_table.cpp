@@ -51,6 +51,8 @@ std::string description(const Range& range) {
                      range.open_high ? "below" : "of at most", range.high);
 }
 
+std::string description(const WholeRange& range) { return fmt::format("a whole number from {} to {}", range.low, range.high); }
+
 std::string description(const toml::node& node) {
   if (const auto* value = node.as_string()) return fmt::format("the text {}", in_quotes(value->get()));
   if (const auto* value = node.as_integer()) return fmt::format("{}", value->get());
@@ -124,13 +126,11 @@ std::optional<double> TomlTable::number(std::string_view key, const Range& range
   return number_of(*node, range, place(key));
 }
 
-std::optional<std::int64_t> TomlTable::whole_number(std::string_view key, std::int64_t low, std::int64_t high) const {
+std::optional<std::int64_t> TomlTable::whole_number(std::string_view key, const WholeRange& range) const {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   const std::optional<std::int64_t> value = node->value_exact<std::int64_t>();
-  if (!value || *value < low || *value > high) {
-    refuse(place(key), fmt::format("a whole number from {} to {}", low, high), description(*node));
-  }
+  if (!value || *value < range.low || *value > range.high) refuse(place(key), description(range), description(*node));
   return value;
 }
 
@@ -199,15 +199,16 @@ std::vector<PlacedPoints> TomlTable::point_lists(std::string_view key, const Ran
   return result;
 }
 
-std::optional<std::size_t> TomlTable::choice(std::string_view key, std::initializer_list<std::string_view> choices) const {
+std::optional<std::size_t> TomlTable::choice(std::string_view key, std::span<const std::string_view> choices) const {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   const auto* value = node->as_string();
-  const auto* found = value == nullptr ? choices.end() : std::ranges::find(choices, std::string_view(value->get()));
+  const auto found = value == nullptr ? choices.end() : std::ranges::find(choices, std::string_view(value->get()));
   if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
   std::string expected;
   for (const std::string_view name : choices) expected += fmt::format("{}\"{}\"", expected.empty() ? "" : " or ", name);
-  const std::string_view meant = value == nullptr ? std::string_view() : nearest(value->get(), choices);
+  const std::string_view meant =
+      value == nullptr ? std::string_view() : nearest(value->get(), {choices.begin(), choices.end()});
   refuse(place(key), expected,
          description(*node) + (meant.empty() ? std::string() : fmt::format("; did you mean \"{}\"?", meant)));
 }

@@ -4,8 +4,8 @@
 #include <toml++/toml.h>
 
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,9 +15,11 @@
 #include "core/error.h"
 #include "core/vec.h"
 #include "core/words.h"
-#include "scene/schema/keys.h"
 
 namespace shatterpave::scene {
+
+// The keys that a table may have.
+using Keys = std::span<const std::string_view>;
 
 // The numbers that a key takes; a bound belongs to them unless it is open.
 struct Range {
@@ -25,6 +27,12 @@ struct Range {
   double high = 0.0;
   bool open_low = false;
   bool open_high = false;
+};
+
+// The same of whole numbers.
+struct WholeRange {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
 };
 
 // Points with the place of the list that they come from.
@@ -36,8 +44,9 @@ struct PlacedPoints {
 // Throws InputError: "expected …, got …".
 [[noreturn]] void refuse(const Place& place, std::string_view expected, std::string_view got);
 
-// "a number from 0 to 40".
+// "a number from 0 to 40", "a whole number from 1 to 10".
 std::string description(const Range& range);
+std::string description(const WholeRange& range);
 // What a value is, for "got …".
 std::string description(const toml::node& node);
 
@@ -66,7 +75,7 @@ class TomlTable {
 
   // Each returns nothing where the key is missing, and throws InputError where its value is not as it should be.
   std::optional<double> number(std::string_view key, const Range& range) const;
-  std::optional<std::int64_t> whole_number(std::string_view key, std::int64_t low, std::int64_t high) const;
+  std::optional<std::int64_t> whole_number(std::string_view key, const WholeRange& range) const;
   std::optional<bool> flag(std::string_view key) const;
   std::optional<std::string> text(std::string_view key) const;
   // A whole number from 0 or a text, or a list of them; empty where the key is missing.
@@ -76,10 +85,7 @@ class TomlTable {
   // A list of lists of points.
   std::vector<PlacedPoints> point_lists(std::string_view key, const Range& range) const;
   // One of `choices`: its index.
-  std::optional<std::size_t> choice(std::string_view key, std::initializer_list<std::string_view> choices) const;
-
-  // Overwrites `value` where the key is there.
-  void read(std::string_view key, const Range& range, double& value) const { value = number(key, range).value_or(value); }
+  std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> choices) const;
 
   // The table of that key; nothing where it is missing.
   std::optional<TomlTable> table(std::string_view key, Keys keys) const;

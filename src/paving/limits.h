@@ -1,0 +1,34 @@
+// The numbers that bound a pavement, each with its reason. The scene's keys take their ranges from here, and the rooms that
+// check a pavement for whoever calls them without a scene file take the same numbers.
+#pragma once
+
+namespace shatterpave::paving {
+
+// Both ends belong to it.
+struct Bounds {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+// A millimetre is far above the lattice of 1 µm on which stones are cut; 100 m is more than any stone. Laying checks the lower
+// ends only, since stones that follow from others, such as those of round steps, may be longer than one that is asked for.
+inline constexpr Bounds stone_bounds_mm{1.0, 100'000.0};
+inline constexpr Bounds joint_bounds_mm{0.0, 1000.0};
+// Of `Bonding::span_mm`; what is above 0 must also be five stones wide, or the arcs are no arcs (laying.cpp).
+inline constexpr Bounds span_bounds_mm{0.0, 1'000'000.0};
+// Of `Bonding::offset`, a part of a stone.
+inline constexpr Bounds offset_bounds{0.0, 1.0};
+// Half of it is joint at the most, and stones are at least a millimetre wide. 0 is no kerb.
+inline constexpr Bounds kerb_bounds_mm{2.0, 10'000.0};
+
+// Stones of one pavement, estimated from its area and its border (laying.cpp). Memory is about 1.5 kB a stone at the peak; so
+// many fit 4 GiB.
+inline constexpr double most_stones = 2e6;
+// Stones of one seamless tile (seamless.cpp): a texture of 16,384 pixels has 16 of them a side for each of a thousand stones.
+inline constexpr double most_tile_stones = 1e6;
+
+// Shapes of stones that some bonds ask for (laying.cpp): in arcs, perpends of deeper stones fan out so far that they meet.
+inline constexpr double longest_arc_stone = 2.0;  // of the longer side to the shorter one
+inline constexpr double least_stones_to_a_span = 5.0;
+
+}  // namespace shatterpave::paving

@@ -1,0 +1,38 @@
+// What decides whether the keys of a pavement have an effect.
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "paving/pavement.h"
+#include "scene/toml/toml_table.h"
+
+namespace shatterpave::scene {
+
+struct PavementFacts {
+  static constexpr std::string_view path = "pavement[]";
+  const TomlTable& table;
+  const paving::Pavement& pavement;
+  bool is_flight;
+
+  bool has(std::string_view key) const { return table.place_of_given(key).has_value(); }
+  // What is laid: a flight is of rows.
+  paving::Bond bond() const {
+    const paving::Bond bond = pavement.bonding.bond;
+    return is_flight && bond != paving::Bond::stack ? paving::Bond::running : bond;
+  }
+  template <typename Kind>
+  bool runs() const {
+    return std::holds_alternative<Kind>(pavement.direction);
+  }
+  bool is_straight() const { return runs<paving::ConstantDirection>(); }
+  bool is_rows() const { return bond() == paving::Bond::running || bond() == paving::Bond::stack; }
+  bool bends() const { return bond() == paving::Bond::packed || is_rows(); }
+  bool has_body() const { return pavement.body.finish != paving::Finish::none; }
+};
+
+inline constexpr std::string_view beside_steps = "beside [pavement.steps]";
+
+inline bool in_a_flight(const PavementFacts& f) { return f.is_flight; }
+
+}  // namespace shatterpave::scene

@@ -1,0 +1,223 @@
+#include "scene/schema/pavement_keys.h"
+
+#include "paving/catalogue/stone_sizes.h"
+#include "paving/limits.h"
+#include "scene/schema/outline_rows.h"
+#include "scene/schema/ranges.h"
+
+namespace shatterpave::scene {
+
+namespace {
+
+using paving::Bond;
+using paving::Bonding;
+using paving::Border;
+using paving::Look;
+using paving::Pavement;
+using paving::TextureSet;
+using rows::in;
+using PavementRow = Row<Pavement, PavementFacts>;
+using DirectionRow = Row<DirectionAsked, PavementFacts>;
+using TexturesRow = Row<TextureSet, PavementFacts>;
+using StepsRow = Row<paving::Flight, PavementFacts>;
+
+constexpr auto direction_words = std::to_array<Word<DirectionAsked::Kind>>({{"constant", DirectionAsked::Kind::constant},
+                                                                            {"boundary", DirectionAsked::Kind::boundary},
+                                                                            {"radial", DirectionAsked::Kind::radial},
+                                                                            {"guides", DirectionAsked::Kind::guides}});
+
+constexpr Range turn_range{-360.0, 360.0};
+
+// Of a plan, as of the outline.
+constexpr std::string_view as_outline_class = "text, as `outline_class`";
+constexpr std::string_view without_guides_kind = "without kind = \"guides\"";
+
+bool without_guides(const PavementFacts& f) { return !f.runs<paving::GuidesDirection>(); }
+
+void apply_stone_preset(Pavement& pavement, std::size_t chosen) {
+  const paving::StonePreset& preset = paving::stone_presets.at(chosen);
+  pavement.stone_mm = preset.stone_mm;
+  pavement.joint_mm = preset.joint_mm;
+}
+
+// What a pavement takes from a plan beside its outline.
+PavementRow::List plan_rows() {
+  return {
+      PavementRow::by_code("outline_width_mm", ValueType::number,
+                           "lines may be chosen too: they become bands of this width that end square (a footway, a gutter, a "
+                           "border), points discs")
+          .within(width_range),
+      PavementRow::by_code("within_feature", ValueType::features, "only what lies in these areas of the same file is paved"),
+      PavementRow::by_code("within_class", ValueType::text, "or in those of this class").written(as_outline_class),
+      PavementRow::by_code("holes_mm", ValueType::point_lists, "areas that are left free, beside `size_mm` or `outline_mm`")
+          .within(coordinate_range)
+          .written("`[[[x, y], …], …]`, up to 10,000")
+          .by_default("none"),
+      PavementRow::by_code("holes_file", ValueType::text,
+                           "a plan with areas that are left free; without feature and class, all areas in it")
+          .written("file name")
+          .by_default("`outline_file`"),
+      PavementRow::by_code("holes_feature", ValueType::features,
+                           "which of its areas are left free: trees, fountains, buildings"),
+      PavementRow::by_code("holes_class", ValueType::text, "or those of this class").written(as_outline_class),
+      PavementRow::by_code("holes_width_mm", ValueType::number,
+                           "lines and points may be chosen too, as above: the diameter of a tree pit")
+          .within(width_range),
+  };
+}
+
+PavementRow::List bond_rows() {
+  return {
+      PavementRow::choice("bond", in(&Pavement::bonding, &Bonding::bond), bond_words, "the rule by which stones are laid"),
+      PavementRow::number("bond_offset", in(&Pavement::bonding, &Bonding::offset), range_of(paving::offset_bounds),
+                          "`running`: how far each row moves on, as a part of a stone")
+          .idle([](const PavementFacts& f) { return f.bond() != Bond::running; }, "without bond = \"running\""),
+      PavementRow::angle("bond_turn_deg", in(&Pavement::bonding, &Bonding::turn), turn_range,
+                         "turns the pattern against the rows: 45 for a diagonal herringbone")
+          .not_beside("steps")
+          .idle([](const PavementFacts& f) { return f.bond() == Bond::packed && !f.pavement.textures.seamless; },
+                "beside bond = \"packed\"")
+          .idle([](const PavementFacts& f) { return !f.is_straight() && f.is_rows(); }, "on rows that follow the direction"),
+      PavementRow::point(
+          "bond_start_mm", in(&Pavement::bonding, &Bonding::start_mm), coordinate_range,
+          "the point where the pattern begins, a landscape architect's point of beginning: a whole stone has its "
+          "corner there, with half the joint about it")
+          .by_default("the lower left corner of the area's box, turned to the rows")
+          .not_beside("steps")
+          .idle([](const PavementFacts& f) { return f.bond() == Bond::packed; }, "beside bond = \"packed\"")
+          .idle([](const PavementFacts& f) { return f.bond() == Bond::ashlar || f.bond() == Bond::crazy; },
+                "on a bond that does not repeat")
+          .idle([](const PavementFacts& f) { return !f.is_straight() && f.is_rows(); }, "on rows that follow the direction"),
+      PavementRow::number("bond_span_mm", in(&Pavement::bonding, &Bonding::span_mm), range_of(paving::span_bounds_mm),
+                          "`segmental_arc`, `fan`: width of an arc or a fan, five stones or more")
+          .meaning("twelve stones")
+          .idle([](const PavementFacts& f) { return f.bond() != Bond::segmental_arc && f.bond() != Bond::fan; },
+                "without bond = \"segmental_arc\" or \"fan\""),
+      PavementRow::choice(
+          "border_course", in(&Pavement::border, &Border::course), border_course_words,
+          "a course of stones along the outline and holes, about the bond; soldiers stand with their short side to "
+          "the border, stretchers lie with the long one. Stones are evened out between corners, which are mitred"),
+      PavementRow::point("border_stone_mm", in(&Pavement::border, &Border::stone_mm), range_of(paving::stone_bounds_mm),
+                         "face of the stones of the border course")
+          .written("`[along, across]` the border, each {}")
+          .by_default("as `stone_mm`")
+          .idle([](const PavementFacts& f) { return f.pavement.border.course == paving::BorderCourse::none; },
+                "without border_course"),
+  };
+}
+
+PavementRow::List look_rows() {
+  return {
+      PavementRow::choice(
+          "material", in(&Pavement::look, &Look::material), material_words,
+          "what stones look like; `setts` are granites and basalts mixed. Each stone has its own colour and its own "
+          "part of grain, beds or veins"),
+      PavementRow::choice("joint_fill", in(&Pavement::look, &Look::joint_fill), joint_fill_words,
+                          "what the joints are filled with")
+          .by_default("sand with some moss"),
+      PavementRow::number("moss", in(&Pavement::look, &Look::moss), {0.0, 1.0}, "green in joints, on sides and arrises")
+          .by_default("as the filling has it"),
+      PavementRow::number(
+          "wetness", in(&Pavement::look, &Look::wetness), {0.0, 1.0},
+          "to 0.5 stones grow darker and shine; above, water stands in the low spots, over a third of the stones at "
+          "1"),
+  };
+}
+
+PavementRow::List table_rows() {
+  return {
+      PavementRow::table("surface", "upper face of the stones"),
+      PavementRow::table("variation", "how stones differ from the places that the bond gives them")
+          .by_default("none")
+          .idle(in_a_flight, beside_steps),
+      PavementRow::table("relief", "roughness of the stones")
+          .idle([](const PavementFacts& f) { return f.is_flight && !f.has_body(); },
+                "beside [pavement.steps] without a finish"),
+      PavementRow::table("textures",
+                         "what `--target textures` draws: size, window, seamless tile, format; see [textures](textures.md)"),
+      PavementRow::table("ground", "how the ground lies, and a kerb").by_default("level"),
+      PavementRow::table("steps", "the pavement is a flight of steps, one for each row").by_default("none"),
+      PavementRow::table("detail", "fineness by distance, for POV-Ray").by_default("all stones alike"),
+  };
+}
+
+PavementRow::List stone_rows() {
+  return {
+      PavementRow::preset("stone_preset", names_of(paving::stone_presets), apply_stone_preset,
+                          "sets `stone_mm` and `joint_mm`; a key given beside it wins")
+          .by_default("none")
+          .idle([](const PavementFacts& f) { return f.has("stone_mm") && f.has("joint_mm"); }, "beside stone_mm and joint_mm"),
+      PavementRow::point(
+          "stone_mm", &Pavement::stone_mm, range_of(paving::stone_bounds_mm),
+          fmt::format("face of a whole stone; so large that at most {} are needed", number_text(paving::most_stones)))
+          .written("`[along, across]` the rows, each {}"),
+      PavementRow::number("joint_mm", &Pavement::joint_mm, range_of(paving::joint_bounds_mm),
+                          "gap between stones; half of it stays free along the outline and holes"),
+      PavementRow::table("direction", "how rows run").by_default("constant, 0°"),
+  };
+}
+
+}  // namespace
+
+// A preset comes before the keys that win over it.
+const Section<Pavement, PavementFacts> pavement_keys{
+    "pavement[]",
+    joined(joined(joined(joined(outline_rows<Pavement, PavementFacts>(), plan_rows()), stone_rows()), bond_rows()),
+           joined(look_rows(), table_rows()))};
+
+const Section<DirectionAsked, PavementFacts> direction_keys{
+    "pavement[].direction",
+    {
+        DirectionRow::choice(
+            "kind", &DirectionAsked::kind, direction_words,
+            "rows run one way; along the nearest side of the outline or a hole (rows of oblong packed stones are "
+            "mitred at corners of more than 50°); in circles; along polylines"),
+        DirectionRow::angle("angle_deg", &DirectionAsked::angle, turn_range, "constant: axis of the rows, from +x")
+            .idle([](const PavementFacts& f) { return !f.is_straight(); }, "without kind = \"constant\""),
+        DirectionRow::point("centre_mm", &DirectionAsked::centre_mm, coordinate_range, "radial: the centre")
+            .idle([](const PavementFacts& f) { return !f.runs<paving::RadialDirection>(); }, "without kind = \"radial\"")
+            .idle([](const PavementFacts& f) { return !f.bends(); }, "on a bond that cannot bend"),
+        DirectionRow::by_code("guides_mm", ValueType::point_lists, "guides: the polylines")
+            .within(coordinate_range)
+            .written(fmt::format("`[[[x, y], …], …]`, up to {}, each of 2 or more distinct points",
+                                 number_text(static_cast<double>(most_guides))))
+            .by_default("must be given for guides, here or from a [plan](#plans)")
+            .idle(without_guides, without_guides_kind),
+        DirectionRow::by_code("guides_file", ValueType::text,
+                              "a plan with the guides; without feature and class, all lines in it")
+            .written("file name")
+            .by_default("`outline_file`")
+            .idle(without_guides, without_guides_kind),
+        DirectionRow::by_code("guides_feature", ValueType::features,
+                              "which of its lines the rows follow, in place of `guides_mm`")
+            .idle(without_guides, without_guides_kind),
+        DirectionRow::by_code("guides_class", ValueType::text, "or those of this class")
+            .written(as_outline_class)
+            .idle(without_guides, without_guides_kind),
+    }};
+
+const Section<TextureSet, PavementFacts> textures_keys{
+    "pavement[].textures",
+    {
+        TexturesRow::whole<std::size_t>("size_px", &TextureSet::size_px, {256, 16384}, "pixels along the longer side"),
+        TexturesRow::by_code("area_mm", ValueType::points, "the part of the plane that textures show; not beside `seamless`")
+            .within(coordinate_range)
+            .written("`[[x, y], [x, y]]`, lower left and upper right corner")
+            .by_default("the pavement's bounding box"),
+        TexturesRow::flag("seamless", &TextureSet::seamless,
+                          "instead of that part, a tile of the bond that meets itself on all sides"),
+        TexturesRow::point("tile_mm", &TextureSet::tile_mm, {1.0, 100'000.0}, "size of that tile; only beside `seamless`")
+            .written("`[width, height]`, each {}")
+            .by_default("near ten stones"),
+        TexturesRow::choice("format", &TextureSet::format, texture_format_words, "format of the files"),
+    }};
+
+const Section<paving::Flight, PavementFacts> steps_keys{
+    "pavement[].steps",
+    {
+        StepsRow::number("riser_mm", &paving::Flight::riser_mm, {-1000.0, 1000.0},
+                         "how much higher each step is than the last, not 0; below 0 the flight goes down"),
+        StepsRow::number("tread_mm", &paving::Flight::tread_mm, {1.0, 100'000.0}, "depth of a step, from front to front"),
+    }};
+
+}  // namespace shatterpave::scene

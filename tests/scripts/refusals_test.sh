@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# `check` and `export` refuse the same scenes with the same message at the place of the key, and write nothing.
+set -euo pipefail
+build=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+failures=0
+# refuse MESSAGE SCENE: of a scene whose last lines are SCENE
+refuse() {
+  printf '%s\n' "$2" >s.toml
+  for arguments in "check s.toml" "export s.toml -o out --target json"; do
+    status=0
+    # shellcheck disable=SC2086  # Two words and more.
+    "$build/shatterpave" $arguments >told 2>message || status=$?
+    if [[ $status != 2 || $(<message) != "$1" || -s told || -e out ]]; then
+      printf '%s: exit status %s, expected 2\n  expected %s\n  got      %s\n' "$arguments" "$status" "$1" "$(<message)"
+      failures=$((failures + 1))
+    fi
+    rm -rf out
+  done
+}
+pavement='[[pavement]]
+name = "p"'
+pane='[[pane]]
+name = "w"'
+
+# Limits of paving (src/paving/limits.h).
+refuse 's.toml:4:12: pavement[0].stone_mm: expected at most 2000000 stones, got an area for about 1000004000000' "$pavement
+size_mm = [1e6, 1e6]
+stone_mm = [1, 1]
+joint_mm = 0"
+refuse 's.toml:4:12: pavement[0].stone_mm: expected at most 2000000 stones, got an area for about 3008000' "$pavement
+size_mm = [30000, 10000]
+stone_mm = [10, 10]
+joint_mm = 0
+bond = \"stack\"
+direction.angle_deg = 30"
+refuse 's.toml:4:12: pavement[0].stone_mm: expected stones at least as long as wide for this bond, got [50, 100]' "$pavement
+size_mm = [900, 900]
+stone_mm = [50, 100]
+bond = \"herringbone\""
+refuse 's.toml:4:12: pavement[0].stone_mm: expected stones at most twice as long as wide for this bond, got [210, 100]' "$pavement
+size_mm = [900, 900]
+stone_mm = [210, 100]
+bond = \"segmental_arc\""
+refuse 's.toml:5:16: pavement[0].bond_span_mm: expected 0, or at least 540 (five stones), got 539' "$pavement
+size_mm = [900, 900]
+bond = \"fan\"
+bond_span_mm = 539"
+refuse 's.toml:4:21: pavement[0].textures.seamless: expected no border_course, since a tile has no border' "$pavement
+size_mm = [900, 900]
+textures.seamless = true
+border_course = \"soldier\""
+refuse 's.toml:7:20: pavement[0].textures.tile_mm: expected a tile of at most 1000000 stones, got 4000000' "$pavement
+size_mm = [900, 900]
+stone_mm = [1, 1]
+joint_mm = 0
+textures.seamless = true
+textures.tile_mm = [2000, 2000]
+bond = \"stack\""
+refuse 's.toml:6:24: pavement[0].ground.kerb_width_mm: kerb: expected at most 2000000 stones, got an area for about 6000012' "$pavement
+size_mm = [1e6, 1e6]
+stone_mm = [10000, 10000]
+ground.kerb_length_mm = 1
+ground.kerb_width_mm = 2"
+# The first of two that are wrong is told, whichever is found first.
+refuse 's.toml:5:12: pavement[0].stone_mm: expected stones at least as long as wide for this bond, got [50, 100]' "$pavement
+size_mm = [9000, 9000]
+bond = \"basket_weave\"
+stone_mm = [50, 100]
+[[pavement]]
+name = \"q\"
+size_mm = [900, 900]
+bond = \"fan\"
+bond_span_mm = 1"
+# Limits of glass.
+refuse 's.toml:5:1: pane[0].growth: expected cracks that cross the pane in at most 1,000,000 steps: the step is too short for its size' "$pane
+size_mm = [1e6, 1e6]
+impact = [{at_mm = [9, 9], radial_count = 9}]
+growth.step_length_px = 0.1"
+# What the reader refuses.
+refuse 's.toml:4:12: pavement[0].joint_mm: expected a number from 0 to 1000, got 1001' "$pavement
+size_mm = [900, 900]
+joint_mm = 1001"
+refuse 's.toml:4:1: pavement[0].jiont_mm: unknown key; did you mean joint_mm?' "$pavement
+size_mm = [900, 900]
+jiont_mm = 10"
+
+[[ $failures == 0 ]] || { echo "$failures failures"; exit 1; }

@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "geometry/hull.h"
-#include "paving/bonds/bond.h"
 #include "paving/bonds/border.h"
-#include "paving/packing/packing.h"
 
 namespace shatterpave::measure {
 
@@ -142,9 +141,10 @@ StockLimit stock_limit(const Pavement& pavement) {
     case Bond::fan:
     case Bond::crazy:
     case Bond::course:
-      break;
+      return of_faces({pavement.stone_mm}, std::nullopt);
   }
-  return of_faces({pavement.stone_mm}, std::nullopt);
+  ENSURE(false);  // a bond without a case, which the compiler warns of
+  return {};
 }
 
 StockLimit border_stock_limit(const Pavement& pavement) { return of_faces({paving::border_stone_mm(pavement)}, 1.0); }

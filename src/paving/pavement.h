@@ -38,7 +38,8 @@ struct GuidesDirection {
 
 using Direction = std::variant<ConstantDirection, BoundaryDirection, RadialDirection, GuidesDirection>;
 
-// The bond: the rule by which stones are laid. What each makes of `stone_mm` is told in paving/bonds/bond.h.
+// The bond: the rule by which stones are laid. What each is, and makes of `stone_mm`, is told in its file of paving/bonds.
+// Ordered as the table there; `course` is the last.
 enum class Bond {
   packed,         // square packing along the direction field (Miyata and Itoh §3)
   running,        // rows, each moved on against the last

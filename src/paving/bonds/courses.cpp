@@ -9,7 +9,7 @@
 
 #include "geometry/clip.h"
 #include "geometry/lattice.h"
-#include "paving/bonds/course.h"
+#include "paving/bonds/course_tiles.h"
 #include "paving/tiles/filling.h"
 #include "paving/tiles/pattern.h"
 

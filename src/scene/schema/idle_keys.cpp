@@ -3,16 +3,19 @@
 #include "scene/schema/idle_keys.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "core/random.h"
 #include "glass/growth/counts.h"
+#include "paving/bonds/table.h"
 #include "scene/schema/keys.h"
 
 namespace shatterpave::scene {
@@ -21,7 +24,7 @@ namespace {
 
 using glass::GlassKind;
 using glass::Impact;
-using paving::Bond;
+using paving::Bending;
 
 template <typename Facts>
 struct Rule {
@@ -223,17 +226,16 @@ struct PavementFacts {
   bool is_flight;
 
   bool has(std::string_view key) const { return table.place_of_given(key).has_value(); }
-  // What is laid: a flight is of rows.
-  Bond bond() const {
-    const Bond bond = pavement.bonding.bond;
-    return is_flight && bond != Bond::stack ? Bond::running : bond;
+  // What is laid: a flight is of rows, running ones unless told.
+  const paving::BondType& bond() const {
+    const paving::BondType& type = paving::type_of(pavement);
+    return is_flight && type.bending != Bending::rows ? paving::type_of(paving::Bond::running) : type;
   }
   template <typename Kind>
   bool runs() const {
     return std::holds_alternative<Kind>(pavement.direction);
   }
   bool is_straight() const { return runs<paving::ConstantDirection>(); }
-  bool bends() const { return bond() == Bond::packed || bond() == Bond::running || bond() == Bond::stack; }
   bool has_body() const { return pavement.body.finish != paving::Finish::none; }
 };
 
@@ -251,23 +253,32 @@ constexpr std::string_view without_kerb_width = "without kerb_width_mm";
 constexpr std::string_view without_a_joint = "beside joint_mm = 0, which leaves stones no room";
 constexpr std::string_view beside_none_laid = "beside missing = 1, which leaves no stone";
 
+// With the names of the bonds that differ from the one that is laid.
+std::string of_bonds(std::string_view word, bool (*is_so)(const paving::BondType&)) {
+  return fmt::format("{} bond = \"{}\"", word, fmt::join(paving::names_of_bonds(is_so), "\" or \""));
+}
+const std::string without_offset = of_bonds("without", [](const paving::BondType& type) -> bool { return type.takes_offset; });
+const std::string without_span = of_bonds("without", [](const paving::BondType& type) -> bool { return type.takes_span; });
+const std::string beside_packed =
+    of_bonds("beside", [](const paving::BondType& type) { return type.bending == Bending::packed; });
+
 const std::vector<Rule<PavementFacts>> pavement_rules = {
     {"stone_preset", [](const PavementFacts& f) { return f.has("stone_mm") && f.has("joint_mm"); },
      "beside stone_mm and joint_mm"},
-    {"bond_offset", [](const PavementFacts& f) { return f.bond() != Bond::running; }, "without bond = \"running\""},
-    {"bond_turn_deg", [](const PavementFacts& f) { return f.bond() == Bond::packed && !f.pavement.textures.seamless; },
-     "beside bond = \"packed\""},
+    {"bond_offset", [](const PavementFacts& f) { return !f.bond().takes_offset; }, without_offset},
     {"bond_turn_deg",
-     [](const PavementFacts& f) { return !f.is_straight() && (f.bond() == Bond::running || f.bond() == Bond::stack); },
+     [](const PavementFacts& f) { return f.bond().bending == Bending::packed && !f.pavement.textures.seamless; },
+     beside_packed},
+    {"bond_turn_deg", [](const PavementFacts& f) { return !f.is_straight() && f.bond().bending == Bending::rows; },
      "on rows that follow the direction"},
-    {"bond_span_mm", [](const PavementFacts& f) { return f.bond() != Bond::segmental_arc && f.bond() != Bond::fan; },
-     "without bond = \"segmental_arc\" or \"fan\""},
+    {"bond_span_mm", [](const PavementFacts& f) { return !f.bond().takes_span; }, without_span},
     {"border_stone_mm", [](const PavementFacts& f) { return f.pavement.border.course == paving::BorderCourse::none; },
      "without border_course"},
     {"direction.angle_deg", [](const PavementFacts& f) { return !f.is_straight(); }, "without kind = \"constant\""},
     {"direction.centre_mm", [](const PavementFacts& f) { return !f.runs<paving::RadialDirection>(); },
      "without kind = \"radial\""},
-    {"direction.centre_mm", [](const PavementFacts& f) { return !f.bends(); }, "on a bond that cannot bend"},
+    {"direction.centre_mm", [](const PavementFacts& f) { return f.bond().bending == Bending::straight; },
+     "on a bond that cannot bend"},
     {"direction.guides_mm", without_guides, without_guides_kind},
     {"direction.guides_file", without_guides, without_guides_kind},
     {"direction.guides_feature", without_guides, without_guides_kind},

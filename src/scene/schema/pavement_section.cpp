@@ -1,12 +1,14 @@
 #include "scene/schema/pavement_section.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 
 #include "geometry/lattice.h"
+#include "paving/bonds/table.h"
 #include "paving/catalogue/stone_sizes.h"
 #include "paving/derived/steps.h"
 #include "scene/schema/idle_keys.h"
@@ -58,13 +60,13 @@ paving::Direction direction_of(const TomlTable& pavement, Plans& plans) {
 }
 
 paving::Bonding bonding_of(const TomlTable& pavement) {
-  using paving::Bond;
-  constexpr std::array bonds = {Bond::packed,  Bond::running,       Bond::stack, Bond::herringbone, Bond::basket_weave,
-                                Bond::hexagon, Bond::segmental_arc, Bond::fan,   Bond::ashlar,      Bond::crazy};
   paving::Bonding bonding;
-  const auto chosen = pavement.choice("bond", {"packed", "running", "stack", "herringbone", "basket_weave", "hexagon",
-                                               "segmental_arc", "fan", "ashlar", "crazy"});
-  bonding.bond = bonds.at(chosen.value_or(0));
+  const std::vector<std::string_view> names = paving::names_of_bonds([](const paving::BondType&) { return true; });
+  if (const auto chosen = pavement.choice("bond", names)) {
+    for (const paving::BondType* type : paving::bond_types()) {
+      if (type->name == names[*chosen]) bonding.bond = type->id;
+    }
+  }
   pavement.read("bond_offset", {0.0, 1.0}, bonding.offset);
   bonding.turn = Angle::degrees(pavement.number("bond_turn_deg", {-360.0, 360.0}).value_or(0.0));
   pavement.read("bond_span_mm", {0.0, 1'000'000.0}, bonding.span_mm);
@@ -114,13 +116,13 @@ void read_textures(const TomlTable& pavement, paving::TextureSet& textures) {
 
 // Steps make sense of rows alone, and have no border of their own.
 void require_rows(const TomlTable& table, const paving::Pavement& pavement) {
-  using paving::Bond;
   const auto refuse_key = [&](std::string_view key) {
     refuse(table.place(key), fmt::format("no {} beside steps", key), "one");
   };
-  const Bond bond = pavement.bonding.bond;
-  if (table.has("bond") && bond != Bond::running && bond != Bond::stack) {
-    refuse(table.place("bond"), "running or stack beside steps", "another one");
+  if (table.has("bond") && paving::type_of(pavement).bending != paving::Bending::rows) {
+    const auto rows =
+        paving::names_of_bonds([](const paving::BondType& type) { return type.bending == paving::Bending::rows; });
+    refuse(table.place("bond"), fmt::format("{} beside steps", fmt::join(rows, " or ")), "another one");
   }
   if (table.has("bond_turn_deg")) refuse_key("bond_turn_deg");
   if (pavement.border.course != paving::BorderCourse::none) refuse_key("border_course");

@@ -199,15 +199,16 @@ std::vector<PlacedPoints> TomlTable::point_lists(std::string_view key, const Ran
   return result;
 }
 
-std::optional<std::size_t> TomlTable::choice(std::string_view key, std::initializer_list<std::string_view> choices) const {
+std::optional<std::size_t> TomlTable::choice(std::string_view key, std::span<const std::string_view> choices) const {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   const auto* value = node->as_string();
-  const auto* found = value == nullptr ? choices.end() : std::ranges::find(choices, std::string_view(value->get()));
+  const auto found = value == nullptr ? choices.end() : std::ranges::find(choices, std::string_view(value->get()));
   if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
   std::string expected;
   for (const std::string_view name : choices) expected += fmt::format("{}\"{}\"", expected.empty() ? "" : " or ", name);
-  const std::string_view meant = value == nullptr ? std::string_view() : nearest(value->get(), choices);
+  const std::string_view meant =
+      value == nullptr ? std::string_view() : nearest(value->get(), {choices.begin(), choices.end()});
   refuse(place(key), expected,
          description(*node) + (meant.empty() ? std::string() : fmt::format("; did you mean \"{}\"?", meant)));
 }

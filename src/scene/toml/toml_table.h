@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -76,7 +77,10 @@ class TomlTable {
   // A list of lists of points.
   std::vector<PlacedPoints> point_lists(std::string_view key, const Range& range) const;
   // One of `choices`: its index.
-  std::optional<std::size_t> choice(std::string_view key, std::initializer_list<std::string_view> choices) const;
+  std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> choices) const;
+  std::optional<std::size_t> choice(std::string_view key, std::initializer_list<std::string_view> choices) const {
+    return choice(key, std::span(choices.begin(), choices.size()));
+  }
 
   // Overwrites `value` where the key is there.
   void read(std::string_view key, const Range& range, double& value) const { value = number(key, range).value_or(value); }

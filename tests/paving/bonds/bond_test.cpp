@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "geometry/lattice.h"
 #include "geometry/region_index.h"
+#include "paving/bonds/table.h"
 #include "paving/laying.h"
 #include "paving/layout_quality.h"
 #include "paving/paved_areas.h"
@@ -50,6 +51,13 @@ const std::vector<BondCase> every_bond = {
     {"ashlar", Bond::ashlar, {140, 140}, 8, 3.2},
     {"crazy", Bond::crazy, {200, 200}, 10, 1.0},
 };
+
+TEST(Bonds, AreAllAmongEveryBond) {
+  for (const BondType* type : bond_types()) {
+    if (!type->is_for_scenes || type->bending == Bending::packed) continue;
+    EXPECT_EQ(std::ranges::count(every_bond, Bond(type->id), &BondCase::bond), 1) << std::string_view(type->name);
+  }
+}
 
 // The share of stones below `least_piece`: only where no stone that fits the stock can be made of one and its neighbours.
 double share_of_small(const Pavement& paved, const StoneLayout& layout) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/disjoint_sets.h"
 #include "core/parallel.h"
 #include "geometry/lattice.h"
 #include "measure/bare_spot.h"
@@ -181,21 +182,6 @@ class StoneMeter {
   vec2 border_mm_{0.0, 0.0};
 };
 
-// Sets of numbers that belong together.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), std::size_t{0}); }
-
-  std::size_t of(std::size_t i) {
-    while (above_[i] != i) i = above_[i] = above_[above_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t k) { above_[std::max(of(i), of(k))] = std::min(of(i), of(k)); }
-
- private:
-  std::vector<std::size_t> above_;
-};
-
 // Moves particles that are in one place apart, by 1 µm each: stones that overlap may have one middle.
 void part(std::vector<paving::Particle>& particles) {
   std::vector<std::size_t> order(particles.size());
@@ -243,7 +229,7 @@ void mark_irregular(const Pavement& pavement, const paving::Cells& cells, const 
 
 // Of the irregular stones, those side by side are one.
 std::size_t irregular_spots(const paving::Cells& cells, const std::vector<StoneMeasures>& stones) {
-  Groups spots(stones.size());
+  DisjointSets spots(stones.size());
   for (std::size_t s = 0; s < stones.size(); ++s) {
     if (!stones[s].irregular) continue;
     for (const std::uint32_t n : cells.neighbours(s)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/corners.h"
 #include "paving/bonds/table.h"
 #include "paving/bonds/usual.h"
 
@@ -17,8 +18,8 @@ Pattern basket_weave_pattern(const Pavement& pavement) {
   const auto edge = [&](int k) { return a * k / count; };
   Pattern pattern{{2.0 * a, a}, 0.5, {}};
   for (int k = 0; k < count; ++k) {
-    pattern.tiles.push_back({rectangle({0.0, edge(k)}, {a, edge(k + 1)}), along_u});
-    pattern.tiles.push_back({rectangle({a + edge(k), 0.0}, {a + edge(k + 1), a}), along_v});
+    pattern.tiles.push_back({geometry::rectangle({{0.0, edge(k)}, {a, edge(k + 1)}}), along_u});
+    pattern.tiles.push_back({geometry::rectangle({{a + edge(k), 0.0}, {a + edge(k + 1), a}}), along_v});
   }
   return pattern;
 }

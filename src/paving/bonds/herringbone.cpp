@@ -5,6 +5,7 @@
 // runs along the steps, and the stones lie along the rows and across them.
 #include <cmath>
 
+#include "geometry/corners.h"
 #include "paving/bonds/table.h"
 #include "paving/bonds/usual.h"
 
@@ -19,7 +20,8 @@ Pattern herringbone_pattern(const Pavement& pavement) {
   const double half_root = std::sqrt(0.5);
   const auto turned = [&](vec2 p) { return half_root * vec2{p.x + p.y, p.y - p.x}; };
   Pattern pattern{{b / half_root, a / half_root}, 0.0, {}};
-  pattern.tiles = {{rectangle({0.0, 0.0}, {a, b}), along_u}, {rectangle({0.0, b}, {b, a + b}), along_v}};
+  pattern.tiles = {{geometry::rectangle({{0.0, 0.0}, {a, b}}), along_u},
+                   {geometry::rectangle({{0.0, b}, {b, a + b}}), along_v}};
   for (Tile& tile : pattern.tiles) {
     for (vec2& p : tile.outline_mm) p = turned(p);
     tile.axis = turned(tile.axis);

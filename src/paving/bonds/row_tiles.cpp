@@ -1,5 +1,6 @@
 #include "paving/bonds/row_tiles.h"
 
+#include "geometry/corners.h"
 #include "paving/bonds/bond.h"
 #include "paving/bonds/courses.h"
 #include "paving/bonds/rings.h"
@@ -7,7 +8,9 @@
 
 namespace shatterpave::paving {
 
-Pattern rows_pattern(vec2 pitch, double offset) { return {pitch, offset, {{rectangle({0.0, 0.0}, pitch), along_u}}}; }
+Pattern rows_pattern(vec2 pitch, double offset) {
+  return {pitch, offset, {{geometry::rectangle({{0.0, 0.0}, pitch}), along_u}}};
+}
 
 std::vector<Tile> row_tiles(const Pavement& pavement, double offset, const geometry::RegionIndex& area) {
   const vec2 pitch = pitch_mm(pavement);

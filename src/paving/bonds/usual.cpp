@@ -34,8 +34,6 @@ std::vector<Tile> pattern_tiles(const Pavement& pavement, const geometry::Region
   return repeated(type_of(pavement).pattern(pavement), anchored(area, pattern_direction(pavement).direction()), area);
 }
 
-geometry::Polygon rectangle(vec2 low, vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
-
 double span_mm(const Pavement& pavement) {
   // Small setts of 8 to 10 cm are laid in segmental arcs 1 m to 1.5 m wide.
   constexpr double stones_to_a_span = 12.0;

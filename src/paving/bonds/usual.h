@@ -30,9 +30,6 @@ Stock pattern_stock(const Pavement& pavement);
 // The bond's pattern, repeated over the area from the lower left corner of the box about it that is turned with the pattern.
 std::vector<Tile> pattern_tiles(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed);
 
-// Corners of a tile, counter-clockwise.
-geometry::Polygon rectangle(vec2 low, vec2 high);
-
 inline constexpr vec2 along_u{1.0, 0.0};
 inline constexpr vec2 along_v{0.0, 1.0};
 

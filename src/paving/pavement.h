@@ -51,6 +51,7 @@ enum class Bond {
   fan,            // setts in rings about the feet of fans, which overlap like scales
   ashlar,         // rectangles of several sizes, mixed at random
   crazy,          // irregular polygons (Voronoi cells, as §5 of Miyata and Itoh suggests for natural stone)
+  chevron,        // planks with slanted ends, which meet in straight lines
   course          // one row along the outline of a ring, mitred at its corners: kerbs, which no scene asks for by this name
 };
 

@@ -78,6 +78,8 @@ def field_stock(layout):
         return Stock([(high_x - low_x, high_y - low_y)], face.area), True
     if bond == "ashlar":
         return Stock([(k * pitch[0] - joint, l * pitch[1] - joint) for k, l in ((3, 2), (2, 3))]), True
+    if bond == "chevron":
+        return Stock([(a + b, b)], a * b), True
     if bond in DIFFERING and (bond != "packed" or layout["field"] != "constant"):
         sides, areas = DIFFERING[bond]
         return Stock([(sides * a, sides * b)], areas * a * b), False

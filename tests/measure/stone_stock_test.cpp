@@ -102,7 +102,7 @@ TEST(StoneStock, OfABondIsItsLargestWholeStone) {
       }
     }
   }
-  EXPECT_EQ(seen, 7U);
+  EXPECT_EQ(seen, 8U);
 }
 
 TEST(StoneStock, IsWithoutLimitWhereABondMakesStonesAsTheyCome) {

@@ -37,7 +37,9 @@ const std::vector<Case> cases = {{Bond::packed, {100, 100}, 0},
                                  {Bond::basket_weave, {208, 100}, 0},
                                  {Bond::hexagon, {150, 150}, 0},
                                  {Bond::segmental_arc, {90, 90}, 0},
-                                 {Bond::fan, {90, 90}, 0}};
+                                 {Bond::fan, {90, 90}, 0},
+                                 {Bond::chevron, {300, 90}, 0},
+                                 {Bond::chevron, {300, 90}, 90}};
 
 std::string message_of(const Pavement& pavement) {
   try {

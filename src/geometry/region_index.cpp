@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "core/error.h"
+#include "geometry/corners.h"
 #include "geometry/predicates.h"
+#include "geometry/segment_distance.h"
 
 namespace shatterpave::geometry {
 
@@ -37,10 +39,9 @@ double squared_length(vec2 v) { return glm::dot(v, v); }
 bool meets(const RegionIndex::Segment& s, const Box& box) {
   if (!boxes_meet(box_of(s), box)) return false;
   const vec2 d = s.to - s.from;
-  const std::array corners = {box.low, vec2{box.high.x, box.low.y}, box.high, vec2{box.low.x, box.high.y}};
   bool left = false;
   bool right = false;
-  for (const vec2& corner : corners) {
+  for (const vec2& corner : corners(box)) {
     const double c = cross(d, corner - s.from);
     left = left || c >= 0.0;
     right = right || c <= 0.0;
@@ -59,11 +60,7 @@ void append_ring(std::vector<RegionIndex::Segment>& segments, const Polygon& rin
 
 }  // namespace
 
-vec2 nearest_point(const RegionIndex::Segment& s, vec2 p) {
-  const vec2 d = s.to - s.from;
-  const double t = std::clamp(glm::dot(p - s.from, d) / squared_length(d), 0.0, 1.0);
-  return s.from + t * d;
-}
+vec2 nearest_point(const RegionIndex::Segment& s, vec2 p) { return nearest_on_segment(p, s.from, s.to); }
 
 RegionIndex::RegionIndex(const Region& region) {
   append_ring(segments_, region.outline, true);

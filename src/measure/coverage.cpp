@@ -8,6 +8,7 @@
 #include "core/functions.h"
 #include "core/parallel.h"
 #include "geometry/clip.h"
+#include "geometry/corners.h"
 #include "measure/open_ground.h"
 
 namespace shatterpave::measure {
@@ -21,13 +22,11 @@ using geometry::Region;
 // Of a stone's shorter side: half of a quarter.
 constexpr double disc_radius = 0.125;
 
-Polygon rectangle(const Box& box) { return {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}; }
-
 double area_within(const Box& box, const Region& region) {
   const Box about = geometry::bounding_box(region.outline);
   if (glm::min(about.low, box.low) == box.low && glm::max(about.high, box.high) == box.high) return geometry::area(region);
   double sum = 0.0;
-  for (const Region& part : geometry::intersection(rectangle(box), region)) sum += geometry::area(part);
+  for (const Region& part : geometry::intersection(geometry::rectangle(box), region)) sum += geometry::area(part);
   return sum;
 }
 

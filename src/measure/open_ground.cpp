@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/clip.h"
+#include "geometry/corners.h"
 #include "geometry/lattice.h"
 #include "paving/packing/packing.h"
 
@@ -21,8 +22,6 @@ constexpr double tile_pitches = 8.0;
 // apart from their border each, paving/tiles/cutting.cpp). Rounding to the lattice else leaves slits a few µm wide along half
 // of the joints, which take Clipper long, and now and then lead it to lose a whole stone.
 constexpr double hairline_mm = 0.02;
-
-Polygon rectangle(const Box& box) { return {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}; }
 
 Box grown_box(const Box& box, double by_mm) { return {box.low - vec2{by_mm, by_mm}, box.high + vec2{by_mm, by_mm}}; }
 
@@ -136,11 +135,11 @@ std::vector<Region> OpenGround::ground(const Box& box) const {
   const double border_mm = rules_.free_border ? rules_.miter_limit * pavement_.joint_mm : 0.0;
   if (!area_.border_meets(grown_box(box, border_mm))) {
     if (!area_.contains(box.low)) return {};
-    return {{rectangle(box), {}}};
+    return {{geometry::rectangle(box), {}}};
   }
   std::vector<Region> parts;
   for (const Region& region : ground_) {
-    for (Region& part : geometry::intersection(rectangle(box), region)) parts.push_back(std::move(part));
+    for (Region& part : geometry::intersection(geometry::rectangle(box), region)) parts.push_back(std::move(part));
   }
   return parts;
 }

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/overloaded.h"
-#include "geometry/region_index.h"
+#include "geometry/segment_distance.h"
 #include "glass/dicing/dice_shape.h"
 #include "measure/crossings.h"
 #include "measure/experiment.h"
@@ -31,7 +31,7 @@ NearestSide nearest_side(vec2 point, const geometry::Polygon& outline) {
   NearestSide nearest;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const vec2 to = outline[i + 1 < outline.size() ? i + 1 : 0];
-    const double distance = glm::length(geometry::nearest_point({outline[i], to}, point) - point);
+    const double distance = geometry::distance_to_segment(point, outline[i], to);
     if (distance < nearest.distance_mm) nearest = {to - outline[i], distance};
   }
   return nearest;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/disjoint_sets.h"
 #include "core/parallel.h"
 #include "geometry/lattice.h"
 #include "measure/bare_spot.h"
@@ -13,6 +14,7 @@
 #include "measure/stone_index.h"
 #include "paving/bonds/bond.h"
 #include "paving/bonds/border.h"
+#include "paving/bonds/table.h"
 #include "paving/field/direction_field.h"
 #include "paving/packing/packing.h"
 #include "paving/packing/particle_cells.h"
@@ -22,7 +24,6 @@ namespace shatterpave::measure {
 namespace {
 
 using geometry::Polygon;
-using paving::Bond;
 using paving::Pavement;
 using paving::Stone;
 using paving::StoneKind;
@@ -33,17 +34,7 @@ constexpr double widest_joint = 3.0;
 // Where along a side its joint is measured: beside the middle, where a perpend of the next row may be.
 constexpr double joint_at = 0.4;
 
-bool has_straight_sides(Bond bond) {
-  return bond != Bond::hexagon && bond != Bond::segmental_arc && bond != Bond::fan && bond != Bond::crazy &&
-         bond != Bond::course;
-}
-
-bool has_one_size(Bond bond) {
-  return bond != Bond::ashlar && bond != Bond::segmental_arc && bond != Bond::fan && bond != Bond::crazy &&
-         bond != Bond::course;
-}
-
-bool is_rows(Bond bond) { return bond == Bond::running || bond == Bond::stack; }
+bool is_packed(const Pavement& pavement) { return paving::type_of(pavement).bending == paving::Bending::packed; }
 
 struct Weighted {
   double value = 0.0;
@@ -122,7 +113,7 @@ class StoneMeter {
     result.area_ratio = geometry::area(stone.outline_mm) / asked;
     result.stock = stock_share(stone.outline_mm, stock_of(result));
     if (stone.kind != StoneKind::whole) return result;
-    if (result.in_border_course || has_straight_sides(pavement_.bonding.bond)) {
+    if (result.in_border_course || paving::type_of(pavement_).has_square_stones) {
       add_sides(stone, result.in_border_course, samples.sides);
       result.misaligned_deg = weighted_mean(samples.sides);
     }
@@ -134,10 +125,9 @@ class StoneMeter {
  private:
   // The axis that the bond asks of the stone at `place`.
   vec2 asked_axis(const Stone& stone, bool in_border_course, vec2 place) const {
-    const Bond bond = pavement_.bonding.bond;
     if (in_border_course) return stone.angle.direction();
-    if (bond == Bond::packed) return field_.axis(place);
-    if (!is_rows(bond) || std::holds_alternative<paving::ConstantDirection>(pavement_.direction)) return pattern_axis_;
+    if (is_packed(pavement_)) return field_.axis(place);
+    if (!paving::is_bent(pavement_)) return pattern_axis_;
     const bool circles = std::holds_alternative<paving::RadialDirection>(pavement_.direction);
     return circles ? field_.axis(place) : stone.angle.direction();
   }
@@ -192,21 +182,6 @@ class StoneMeter {
   vec2 border_mm_{0.0, 0.0};
 };
 
-// Sets of numbers that belong together.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), std::size_t{0}); }
-
-  std::size_t of(std::size_t i) {
-    while (above_[i] != i) i = above_[i] = above_[above_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t k) { above_[std::max(of(i), of(k))] = std::min(of(i), of(k)); }
-
- private:
-  std::vector<std::size_t> above_;
-};
-
 // Moves particles that are in one place apart, by 1 µm each: stones that overlap may have one middle.
 void part(std::vector<paving::Particle>& particles) {
   std::vector<std::size_t> order(particles.size());
@@ -254,7 +229,7 @@ void mark_irregular(const Pavement& pavement, const paving::Cells& cells, const 
 
 // Of the irregular stones, those side by side are one.
 std::size_t irregular_spots(const paving::Cells& cells, const std::vector<StoneMeasures>& stones) {
-  Groups spots(stones.size());
+  DisjointSets spots(stones.size());
   for (std::size_t s = 0; s < stones.size(); ++s) {
     if (!stones[s].irregular) continue;
     for (const std::uint32_t n : cells.neighbours(s)) {
@@ -281,6 +256,7 @@ void sum_up(const Pavement& pavement, const std::vector<StoneSamples>& samples, 
   std::vector<double> joints;
   Distribution areas;
   std::size_t four_sided = 0;
+  const bool has_one_size = paving::type_of(pavement).has_stones_of_a_size;
   double smallest = measures.stones.empty() ? 0.0 : measures.stones.front().area_ratio;
   for (std::size_t s = 0; s < measures.stones.size(); ++s) {
     const StoneMeasures& stone = measures.stones[s];
@@ -297,7 +273,7 @@ void sum_up(const Pavement& pavement, const std::vector<StoneSamples>& samples, 
     } else {
       joints.insert(joints.end(), samples[s].joints.begin(), samples[s].joints.end());
     }
-    if (stone.in_border_course || !has_one_size(pavement.bonding.bond)) continue;
+    if (stone.in_border_course || !has_one_size) continue;
     areas.add(stone.area_ratio);
     measures.areas_percent.add(100.0 * stone.area_ratio);
   }
@@ -364,7 +340,7 @@ LayoutMeasures measured(const Pavement& pavement, const StoneLayout& set_out, co
   parallel_for_chunks(set_out.stones.size(), 512, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) measures.stones[s] = meter.measures(s, samples[s]);
   });
-  if (pavement.bonding.bond == Bond::packed) {
+  if (is_packed(pavement)) {
     figures.field = field_defects(pavement, field, area);
     count_irregular(pavement, field, area, measures);
   }

@@ -5,8 +5,8 @@
 //   packed                                   the direction field, at the middle of the side
 //   running, stack                           with a constant direction, and on circles, the same; along a boundary or guides,
 //                                            whose rows are parallel lines, the stone's own `angle`
-//   herringbone, basket_weave, ashlar        the main direction and the turn of the pattern
-//   hexagon, segmental_arc, fan, crazy       nothing of the kind: not measured
+//   other bonds of square stones             the main direction and the turn of the pattern
+//   bonds of others (hexagon, fan …)         nothing of the kind: not measured
 //   stones of the border course              the stone's own `angle`
 // Four-sided: of the bonds that are measured for alignment, the whole stones with four corners.
 // Joints: from a point of each side of a whole stone straight out to the next stone, if there is one within three joints; over
@@ -14,10 +14,10 @@
 // and counted. (Stones that follow a bend without such an end share their cell's sides, so that no bend needs more.)
 // Bare spot: of the stones grown by half a joint, with the half joint along the border taken off (measure/bare_spot.h).
 // Stock: every stone beside what its bond, or its border course, cuts stones from (measure/stone_stock.h).
-// Areas: of whole stones, but for bonds whose stones differ by design: segmental_arc, fan, ashlar, crazy.
-// Regular: in a packing, a stone with four neighbours. Of stones that have no cut one and no border beside them the others are
-// counted, and the spots that those side by side make. One spot is the end of at least one row or column;
-// measure/field_defects.h tells the least number that the field allows.
+// Areas: of whole stones, but for bonds whose stones differ by design. Which these are, and which have square stones, is told
+// in the table of bonds (paving/bonds/table.h). Regular: in a packing, a stone with four neighbours. Of stones that have no cut
+// one and no border beside them the others are counted, and the spots that those side by side make. One spot is the end of at
+// least one row or column; measure/field_defects.h tells the least number that the field allows.
 //
 // What [pavement.variation] asks for is no fault: stones missing, turned, moved and of other sizes. So faults are looked for
 // among the stones as they lie, and all else is measured on the stones as they were set out, before variation.

@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "geometry/hull.h"
-#include "paving/bonds/bond.h"
 #include "paving/bonds/border.h"
-#include "paving/packing/packing.h"
 
 namespace shatterpave::measure {
 
@@ -116,6 +115,14 @@ StockLimit of_hexagon(const Pavement& pavement) {
   return limit;
 }
 
+// A parallelogram with angles of 45°, whose long sides are `stone_mm.x`.
+StockLimit of_chevron(const Pavement& pavement) {
+  const double slant = pavement.stone_mm.y;  // how far one end is before the other, along the plank
+  StockLimit limit = of_faces({{pavement.stone_mm.x + slant, pavement.stone_mm.y}}, 1.0);
+  limit.area_mm2 = pavement.stone_mm.x * pavement.stone_mm.y;
+  return limit;
+}
+
 }  // namespace
 
 StockLimit stock_limit(const Pavement& pavement) {
@@ -138,13 +145,16 @@ StockLimit stock_limit(const Pavement& pavement) {
       return of_hexagon(pavement);
     case Bond::ashlar:
       return of_faces({modules(3.0, 2.0), modules(2.0, 3.0)}, 1.0);
+    case Bond::chevron:
+      return of_chevron(pavement);
     case Bond::segmental_arc:
     case Bond::fan:
     case Bond::crazy:
     case Bond::course:
-      break;
+      return of_faces({pavement.stone_mm}, std::nullopt);
   }
-  return of_faces({pavement.stone_mm}, std::nullopt);
+  ENSURE(false);  // a bond without a case, which the compiler warns of
+  return {};
 }
 
 StockLimit border_stock_limit(const Pavement& pavement) { return of_faces({paving::border_stone_mm(pavement)}, 1.0); }

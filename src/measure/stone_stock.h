@@ -16,7 +16,8 @@ struct StockLimit {
   std::optional<double> most;
 };
 
-// Of the stones of the bond, as paving/bonds/bond.h says what `stone_mm` means.
+// Of the stones of the bond, by what docs/bonds.md says of `stone_mm`: made by other formulas than the bonds' own
+// (paving/bonds), so that it judges them.
 StockLimit stock_limit(const paving::Pavement& pavement);
 // Of the stones of the border course, if there is one.
 StockLimit border_stock_limit(const paving::Pavement& pavement);

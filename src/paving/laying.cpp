@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "paving/bonds/bond.h"
 #include "paving/bonds/border.h"
+#include "paving/bonds/table.h"
 #include "paving/limits.h"
 #include "paving/packing/packing.h"
 #include "paving/packing/particle_cells.h"
@@ -44,17 +45,13 @@ Place place_of(const Pavement& pavement, std::string_view member) {
 // What some bonds ask of the shape of their stones.
 void check_shape(const Pavement& pavement) {
   const vec2 stone = pavement.stone_mm;
-  const Bond bond = pavement.bonding.bond;
-  if ((bond == Bond::herringbone || bond == Bond::basket_weave) && stone.x < stone.y) {
+  const BondType& type = type_of(pavement);
+  const ShapeLimits shapes = type.shapes;
+  if (stone.x < shapes.least * stone.y || stone.x > shapes.greatest * stone.y) {
     throw InputError(place_of(pavement, "stone_mm"),
-                     fmt::format("expected stones at least as long as wide for this bond, got [{}, {}]", stone.x, stone.y));
+                     fmt::format("expected stones {} for this bond, got [{}, {}]", shapes.expected, stone.x, stone.y));
   }
-  if (bond != Bond::segmental_arc && bond != Bond::fan) return;
-  if (stone.y > longest_arc_stone * stone.x || stone.x > longest_arc_stone * stone.y) {
-    throw InputError(
-        place_of(pavement, "stone_mm"),
-        fmt::format("expected stones at most twice as long as wide for this bond, got [{}, {}]", stone.x, stone.y));
-  }
+  if (!type.takes_span) return;
   const double least = least_stones_to_a_span * (std::max(stone.x, stone.y) + pavement.joint_mm);
   if (pavement.bonding.span_mm != 0.0 && pavement.bonding.span_mm < least) {
     throw InputError(place_of(pavement, "bond_span_mm"),
@@ -149,7 +146,7 @@ void append_packing(const Pavement& pavement, const geometry::RegionIndex& area,
 
 // The bond, within the border course if there is one.
 void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, StoneLayout& layout) {
-  if (pavement.bonding.bond == Bond::packed) {
+  if (type_of(pavement).bending == Bending::packed) {
     append_packing(pavement, area, seed, layout);
     return;
   }
@@ -198,7 +195,7 @@ StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
   } else {
     append_bordered_bond(pavement, seed, layout);
   }
-  return varied(std::move(layout), pavement, seed);
+  return varied(std::move(layout), pavement, side_bulge(pavement), seed);
 }
 
 }  // namespace shatterpave::paving

@@ -27,8 +27,7 @@ inline constexpr double most_stones = 2e6;
 // Stones of one seamless tile (seamless.cpp): a texture of 16,384 pixels has 16 of them a side for each of a thousand stones.
 inline constexpr double most_tile_stones = 1e6;
 
-// Shapes of stones that some bonds ask for (laying.cpp): in arcs, perpends of deeper stones fan out so far that they meet.
-inline constexpr double longest_arc_stone = 2.0;  // of the longer side to the shorter one
+// Bonds in arcs (laying.cpp): fewer stones make no arc.
 inline constexpr double least_stones_to_a_span = 5.0;
 
 }  // namespace shatterpave::paving

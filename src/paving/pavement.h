@@ -38,7 +38,8 @@ struct GuidesDirection {
 
 using Direction = std::variant<ConstantDirection, BoundaryDirection, RadialDirection, GuidesDirection>;
 
-// The bond: the rule by which stones are laid. What each makes of `stone_mm` is told in paving/bonds/bond.h.
+// The bond: the rule by which stones are laid. What each is, and makes of `stone_mm`, is told in its file of paving/bonds.
+// Ordered as the table there; `course` is the last.
 enum class Bond {
   packed,         // square packing along the direction field (Miyata and Itoh §3)
   running,        // rows, each moved on against the last
@@ -50,6 +51,7 @@ enum class Bond {
   fan,            // setts in rings about the feet of fans, which overlap like scales
   ashlar,         // rectangles of several sizes, mixed at random
   crazy,          // irregular polygons (Voronoi cells, as §5 of Miyata and Itoh suggests for natural stone)
+  chevron,        // planks with slanted ends, which meet in straight lines
   course          // one row along the outline of a ring, mitred at its corners: kerbs, which no scene asks for by this name
 };
 

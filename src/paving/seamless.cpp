@@ -4,6 +4,7 @@
 #include "paving/seamless.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "core/error.h"
 #include "geometry/lattice.h"
 #include "paving/bonds/bond.h"
+#include "paving/bonds/table.h"
 #include "paving/limits.h"
 #include "paving/packing/packing.h"
 #include "paving/tiles/cutting.h"
@@ -163,8 +165,10 @@ struct Plan {
 Plan plan_of(const Pavement& pavement) {
   std::optional<Pattern> pattern = periodic_pattern(pavement);
   if (!pattern) {
-    throw InputError(texture_place(pavement, "seamless"),
-                     "expected a bond that repeats (not ashlar or crazy), and rows in one direction");
+    const auto others = names_of_bonds([](const BondType& type) { return type.pattern == nullptr; });
+    throw InputError(
+        texture_place(pavement, "seamless"),
+        fmt::format("expected a bond that repeats (not {}), and rows in one direction", fmt::join(others, " or ")));
   }
   if (pavement.border.course != BorderCourse::none) {
     throw InputError(texture_place(pavement, "seamless"), "expected no border_course, since a tile has no border");
@@ -201,7 +205,7 @@ SeamlessTile seamless_tile(const Pavement& pavement, std::uint64_t seed) {
       }
     }
   }
-  tile.layout = varied(std::move(tile.layout), pavement, seed);
+  tile.layout = varied(std::move(tile.layout), pavement, side_bulge(pavement), seed);
   return tile;
 }
 

@@ -13,6 +13,7 @@
 #include "core/parallel.h"
 #include "glass/breaking.h"
 #include "glass/growth/counts.h"
+#include "paving/bonds/bond.h"
 #include "paving/laying.h"
 
 namespace shatterpave::pipeline {
@@ -139,12 +140,10 @@ class Surveyor {
 };
 
 // Whether a seed shows in where stones lie.
-bool is_drawn(const paving::Pavement& pavement) {
+bool shows_seed(const paving::Pavement& pavement) {
   const paving::Variation& variation = pavement.variation;
-  const paving::Bond bond = pavement.bonding.bond;
   if (variation.size > 0.0 || variation.rotation > Angle() || variation.offset_mm > 0.0 || variation.missing > 0.0) return true;
-  if (bond == paving::Bond::ashlar || bond == paving::Bond::crazy || bond == paving::Bond::course) return true;
-  return bond == paving::Bond::packed && !std::holds_alternative<paving::ConstantDirection>(pavement.direction);
+  return paving::is_drawn(pavement);
 }
 
 measure::SurveyedPavement surveyed_pavement(const paving::Pavement& pavement, std::uint64_t first_seed, std::size_t seeds,
@@ -174,7 +173,7 @@ measure::SurveyedPavement surveyed_pavement(const paving::Pavement& pavement, st
 // Pavements that no seed changes are laid once.
 std::vector<measure::SurveyedPavement> surveyed_pavements(const scene::Scene& scene, const MeasureOptions& options,
                                                           const Progress& progress) {
-  const auto seeds = [&](const paving::Pavement& pavement) { return is_drawn(pavement) ? options.seeds : 1; };
+  const auto seeds = [&](const paving::Pavement& pavement) { return shows_seed(pavement) ? options.seeds : 1; };
   std::size_t count = 0;
   for (const paving::Pavement& pavement : scene.pavements) count += seeds(pavement);
   std::size_t done = 0;

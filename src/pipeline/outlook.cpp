@@ -9,20 +9,18 @@
 #include "core/overloaded.h"
 #include "geometry/clip.h"
 #include "paving/bonds/border.h"
+#include "paving/bonds/table.h"
 #include "paving/packing/packing.h"
 
 namespace shatterpave::pipeline {
 
 namespace {
 
-using paving::Bond;
 using paving::Pavement;
 
 // More are only counted.
 constexpr std::size_t most_named = 4;
-// Modules that a stone of random ashlar takes in the mean, and how many stones more than by area there are for each stone's
-// length of border: by counting those of scenes/bonds.toml.
-constexpr double ashlar_modules = 2.6;
+// How many stones more than by area there are for each stone's length of border: by counting those of scenes/bonds.toml.
 constexpr double cut_more = 0.2;
 
 double length_of(const geometry::Polygon& ring) {
@@ -37,25 +35,10 @@ double border_length(const geometry::Region& area) {
   return total;
 }
 
-// The area that a stone of the bond and its joints take, mm².
-double area_of_a_stone(const Pavement& pavement) {
-  const vec2 pitch = paving::pitch_mm(pavement);
-  switch (pavement.bonding.bond) {
-    case Bond::hexagon:
-      return 0.5 * std::sqrt(3.0) * pitch.x * pitch.y;
-    case Bond::basket_weave:
-      return pitch.x * pitch.x / std::max(1.0, std::round(pitch.x / pitch.y));
-    case Bond::ashlar:
-      return ashlar_modules * pitch.x * pitch.y;
-    default:
-      return pitch.x * pitch.y;
-  }
-}
-
 // Whole stones by area. Along the border half a stone more is cut than by area, but small pieces are joined to their
 // neighbours.
 double expected_stones(const Pavement& pavement) {
-  const double one = area_of_a_stone(pavement);
+  const double one = paving::type_of(pavement).mean_area_mm2(pavement);
   double count = 0.0;
   std::vector<geometry::Region> field = {pavement.area};
   if (pavement.border.course != paving::BorderCourse::none) {

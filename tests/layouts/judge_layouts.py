@@ -57,13 +57,17 @@ class Stock:
         self.area = area or max(a * b for a, b in rectangles)
 
 
-# Of bonds whose stones differ by design: how many times as long or wide, and as large, as stone_mm a stone may be (src/paving/bonds/bond.h;
+# Of bonds whose stones differ by design: how many times as long or wide, and as large, as stone_mm a stone may be (docs/bonds.md;
 # of arcs and fans, whose stones at the ends and feet are larger, by what the whole ones of many are, and some room).
 DIFFERING = {"packed": (1.5, 2.25), "crazy": (2.0, 2.0), "segmental_arc": (1.6, 1.5), "fan": (2.0, 1.6)}
 
 
+# Of whose bonds each stone is stone_mm; of packed ones in one direction.
+PLAIN = ("packed", "running", "stack", "herringbone", "course")
+
+
 def field_stock(layout):
-    """What stone_mm means to each bond (src/paving/bonds/bond.h), and whether all its stones are of it."""
+    """What stone_mm means to each bond (docs/bonds.md), and whether all its stones are of it."""
     (a, b), joint, bond = layout["stone_mm"], layout["joint_mm"], layout["bond"]
     pitch = (a + joint, b + joint)
     if bond == "basket_weave":
@@ -74,10 +78,14 @@ def field_stock(layout):
         return Stock([(high_x - low_x, high_y - low_y)], face.area), True
     if bond == "ashlar":
         return Stock([(k * pitch[0] - joint, l * pitch[1] - joint) for k, l in ((3, 2), (2, 3))]), True
+    if bond == "chevron":
+        return Stock([(a + b, b)], a * b), True
     if bond in DIFFERING and (bond != "packed" or layout["field"] != "constant"):
         sides, areas = DIFFERING[bond]
         return Stock([(sides * a, sides * b)], areas * a * b), False
-    return Stock([(a, b)]), True
+    if bond in PLAIN:
+        return Stock([(a, b)]), True
+    sys.exit(f"judge_layouts.py: the stock of bond {bond} is not told")
 
 
 def extents(points, angles):

@@ -28,6 +28,7 @@
 #include "measure/bare_spot.h"
 #include "measure/stone_index.h"
 #include "paving/bonds/border.h"
+#include "paving/bonds/table.h"
 #include "paving/derived/kerb.h"
 #include "paving/laying.h"
 #include "scene/plans/plan_areas.h"
@@ -62,35 +63,6 @@ void put_ring(std::string& out, const geometry::Polygon& ring) {
   out += ']';
 }
 
-std::string_view name_of(paving::Bond bond) {
-  using paving::Bond;
-  switch (bond) {
-    case Bond::packed:
-      return "packed";
-    case Bond::running:
-      return "running";
-    case Bond::stack:
-      return "stack";
-    case Bond::herringbone:
-      return "herringbone";
-    case Bond::basket_weave:
-      return "basket_weave";
-    case Bond::hexagon:
-      return "hexagon";
-    case Bond::segmental_arc:
-      return "segmental_arc";
-    case Bond::fan:
-      return "fan";
-    case Bond::ashlar:
-      return "ashlar";
-    case Bond::crazy:
-      return "crazy";
-    case Bond::course:
-      break;
-  }
-  return "course";
-}
-
 std::string_view name_of(const paving::Direction& direction) {
   constexpr std::string_view names[] = {"constant", "boundary", "radial", "guides"};
   return names[direction.index()];
@@ -103,8 +75,9 @@ std::string_view name_of(paving::BorderCourse course) {
 
 void put_pavement(std::string& out, const paving::Pavement& pavement) {
   const auto to = std::back_inserter(out);
-  fmt::format_to(to, ",\"bond\":\"{}\",\"field\":\"{}\",\"stone_mm\":[{},{}],\"joint_mm\":{}", name_of(pavement.bonding.bond),
-                 name_of(pavement.direction), pavement.stone_mm.x, pavement.stone_mm.y, pavement.joint_mm);
+  fmt::format_to(to, ",\"bond\":\"{}\",\"field\":\"{}\",\"stone_mm\":[{},{}],\"joint_mm\":{}",
+                 std::string_view(paving::type_of(pavement).name), name_of(pavement.direction), pavement.stone_mm.x,
+                 pavement.stone_mm.y, pavement.joint_mm);
   const vec2 border = paving::border_stone_mm(pavement);
   fmt::format_to(to, ",\"border\":\"{}\",\"border_stone_mm\":[{},{}],\"missing\":{},\"outline_um\":",
                  name_of(pavement.border.course), border.x, border.y, pavement.variation.missing);

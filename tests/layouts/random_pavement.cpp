@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include "core/functions.h"
 #include "layouts/draws.h"
 #include "layouts/random_areas.h"
+#include "paving/bonds/table.h"
 
 namespace shatterpave::layouts {
 
@@ -18,9 +19,7 @@ namespace {
 using geometry::Box;
 using geometry::Polygon;
 using geometry::Region;
-
-constexpr std::array<std::string_view, 10> bonds = {"packed",  "running",       "stack", "herringbone", "basket_weave",
-                                                    "hexagon", "segmental_arc", "fan",   "ashlar",      "crazy"};
+using paving::BondType;
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
 
@@ -41,14 +40,15 @@ struct Sizes {
   double joint_mm = 8.0;
 };
 
-Sizes random_sizes(const Draws& draws, std::string_view bond) {
+Sizes random_sizes(const Draws& draws, const BondType& bond) {
   Sizes sizes;
-  const bool setts = bond == "segmental_arc" || bond == "fan";  // which ask for stones at most twice as long as wide
+  const paving::ShapeLimits shapes = bond.shapes;
+  const bool setts = shapes.greatest < 3.0;  // which ask for stones at most twice as long as wide
   const double aspect = draws.chance("square", 0.35) ? 1.0 : draws.spread("aspect", setts ? 0.52 : 0.4, setts ? 1.95 : 3.0);
   const double longer = draws.spread("longer", 40.0, 400.0);
   sizes.stone_mm = aspect >= 1.0 ? vec2{longer, longer / aspect} : vec2{longer * aspect, longer};
   for (double* side : {&sizes.stone_mm.x, &sizes.stone_mm.y}) *side = std::max(16.0, rounded(*side, 0.1));
-  if (bond == "herringbone" || bond == "basket_weave") {
+  if (shapes.least >= 1.0) {
     sizes.stone_mm = {std::max(sizes.stone_mm.x, sizes.stone_mm.y), std::min(sizes.stone_mm.x, sizes.stone_mm.y)};
   }
   sizes.joint_mm = draws.chance("tight", 0.15) ? 0.0 : rounded(draws.between("joint", 0.0, 20.0), 0.1);
@@ -92,14 +92,14 @@ std::string direction_text(const Draws& draws, const Region& area) {
   }
 }
 
-std::string bond_text(const Draws& draws, std::string_view bond, const Sizes& sizes) {
-  std::string text = fmt::format("bond = \"{}\"\n", bond);
-  if (bond == "running" && draws.chance("offset", 0.6)) text += fmt::format("bond_offset = {:.3f}\n", draws.unit("by"));
+std::string bond_text(const Draws& draws, const BondType& bond, const Sizes& sizes) {
+  std::string text = fmt::format("bond = \"{}\"\n", std::string_view(bond.name));
+  if (bond.takes_offset && draws.chance("offset", 0.6)) text += fmt::format("bond_offset = {:.3f}\n", draws.unit("by"));
   if (draws.chance("turned", 0.3)) {
     const double angle = draws.chance("eighth turn", 0.5) ? 45.0 : draws.between("turn", 0.0, 180.0);
     text += fmt::format("bond_turn_deg = {:.4f}\n", angle);
   }
-  if ((bond == "segmental_arc" || bond == "fan") && draws.chance("span", 0.5)) {
+  if (bond.takes_span && draws.chance("span", 0.5)) {
     const double pitch = std::max(sizes.stone_mm.x, sizes.stone_mm.y) + sizes.joint_mm;
     text += fmt::format("bond_span_mm = {:.3f}\n", pitch * draws.between("stones", 5.01, 20.0));
   }
@@ -135,13 +135,13 @@ Rarities rarities(const Draws& draws) {
   return r;
 }
 
-void make_rare(Sizes& sizes, const Rarities& rare, const Draws& draws, std::string_view bond) {
+void make_rare(Sizes& sizes, const Rarities& rare, const Draws& draws, const BondType& bond) {
   if (rare.wide) sizes.joint_mm = rounded(std::min(sizes.stone_mm.x, sizes.stone_mm.y) * draws.spread("wide", 0.3, 3.0), 0.1);
   if (!rare.extreme) return;
   const double scale = draws.chance("small", 0.5) ? draws.spread("smaller", 0.01, 0.2) : draws.spread("larger", 4.0, 20.0);
   sizes.stone_mm = glm::max(vec2{1.0, 1.0}, scale * sizes.stone_mm);
   sizes.joint_mm *= draws.chance("joint", 0.5) ? scale : std::min(scale, 1.0);
-  const bool oblong = bond != "segmental_arc" && bond != "fan" && draws.chance("oblong", 0.3);
+  const bool oblong = paving::ShapeLimits(bond.shapes).greatest >= 8.0 && draws.chance("oblong", 0.3);
   if (oblong) sizes.stone_mm.x = std::max(sizes.stone_mm.x, 8.0 * sizes.stone_mm.y);
 }
 
@@ -183,7 +183,10 @@ void make_rare(Region& region, const Rarities& rare, const Draws& draws) {
 DrawnScene random_scene(std::uint64_t number, std::uint64_t attempt, Kind kind, const std::vector<Region>& places) {
   const Draws draws = Draws(number).of("attempt", attempt);
   const Rarities rare = kind == Kind::rare ? rarities(draws.of("rare")) : Rarities{};
-  const std::string_view bond = bonds.at(draws.count("bond", 0, bonds.size() - 1));
+  std::vector<const BondType*> bonds;
+  std::ranges::copy_if(paving::bond_types(), std::back_inserter(bonds),
+                       [](const BondType* type) -> bool { return type->is_for_scenes; });
+  const BondType& bond = *bonds.at(draws.count("bond", 0, bonds.size() - 1));
   Sizes sizes = random_sizes(draws.of("sizes"), bond);
   make_rare(sizes, rare, draws.of("rare sizes"), bond);
   const vec2 pitch = sizes.stone_mm + vec2{sizes.joint_mm, sizes.joint_mm};

@@ -9,6 +9,7 @@
 #include "geometry/lattice.h"
 #include "measure/coverage.h"
 #include "measure/pavement_findings.h"
+#include "paving/bonds/table.h"
 #include "paving/laying.h"
 #include "paving/paved_areas.h"
 
@@ -191,13 +192,21 @@ TEST(PavementMeasures, AskOfEachBondWhatItCanGive) {
     return as_laid(paved, layout).figures;
   };
   using paving::Bond;
-  for (const Bond bond : {Bond::running, Bond::stack, Bond::herringbone, Bond::basket_weave, Bond::ashlar}) {
+  std::vector<Bond> square;
+  std::vector<Bond> others;
+  for (const paving::BondType* type : paving::bond_types()) {
+    if (!type->is_for_scenes || type->bending == paving::Bending::packed) continue;
+    (type->has_square_stones ? square : others).push_back(type->id);
+  }
+  EXPECT_EQ(square, (std::vector{Bond::running, Bond::stack, Bond::herringbone, Bond::basket_weave, Bond::ashlar}));
+  EXPECT_GE(others.size(), 4U);
+  for (const Bond bond : square) {
     const LayoutFigures figures = of(bond, bond == Bond::herringbone ? 45.0 : 0.0);
     EXPECT_GT(figures.sides, 100U);
     EXPECT_LT(figures.misaligned_p95_deg, 0.01) << static_cast<int>(bond);
     EXPECT_EQ(figures.counted_stones, 0U) << "regular is not told of bonds";
   }
-  for (const Bond bond : {Bond::hexagon, Bond::segmental_arc, Bond::fan, Bond::crazy}) {
+  for (const Bond bond : others) {
     const LayoutFigures figures = of(bond, 0.0);
     EXPECT_EQ(figures.sides, 0U);
     EXPECT_EQ(figures.shaped, 0U);

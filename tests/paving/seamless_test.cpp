@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "geometry/lattice.h"
 #include "paving/bonds/bond.h"
+#include "paving/bonds/table.h"
 
 namespace shatterpave::paving {
 namespace {
@@ -34,7 +37,9 @@ const std::vector<Case> cases = {{Bond::packed, {100, 100}, 0},
                                  {Bond::basket_weave, {208, 100}, 0},
                                  {Bond::hexagon, {150, 150}, 0},
                                  {Bond::segmental_arc, {90, 90}, 0},
-                                 {Bond::fan, {90, 90}, 0}};
+                                 {Bond::fan, {90, 90}, 0},
+                                 {Bond::chevron, {300, 90}, 0},
+                                 {Bond::chevron, {300, 90}, 90}};
 
 std::string message_of(const Pavement& pavement) {
   try {
@@ -81,6 +86,13 @@ Cover cover(const std::vector<Stone>& stones, vec2 size_mm) {
     ++(times == 0 ? result.none : times == 1 ? result.one : result.more);
   }
   return result;
+}
+
+TEST(SeamlessTile, IsTriedOfEveryBondThatRepeats) {
+  for (const BondType* type : bond_types()) {
+    EXPECT_EQ(std::ranges::find(cases, Bond(type->id), &Case::bond) != cases.end(), type->pattern != nullptr)
+        << std::string_view(type->name);
+  }
 }
 
 TEST(SeamlessTile, PavesThePlane) {

@@ -49,6 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Bonds, EstimatedStones,
                                          "bond = \"herringbone\"\nstone_preset = \"brick\"",
                                          "bond = \"basket_weave\"\nstone_preset = \"brick\"", "bond = \"hexagon\"",
                                          "bond = \"segmental_arc\"", "bond = \"fan\"", "bond = \"ashlar\"", "bond = \"crazy\"",
+                                         "bond = \"chevron\"\nstone_mm = [240, 70]",
                                          "bond = \"running\"\ndirection.kind = \"boundary\"",
                                          "bond = \"running\"\nborder_course = \"soldier\"\nstone_mm = [200, 100]",
                                          "stone_mm = [50, 50]", "variation.missing = 0.5"));

@@ -5,7 +5,9 @@
 
 #include <variant>
 
+#include "core/error.h"
 #include "glass/presets.h"
+#include "paving/bonds/table.h"
 #include "paving/catalogue/finishes.h"
 #include "paving/catalogue/stone_sizes.h"
 
@@ -285,17 +287,14 @@ TEST(ReadScene, ReadsEveryBond) {
   EXPECT_EQ(bonding(""), paving::Bonding{});
   EXPECT_EQ(bonding("bond = \"running\"\nbond_offset = 0.25\nbond_turn_deg = 45\nbond_span_mm = 900\n"),
             (paving::Bonding{paving::Bond::running, 0.25, Angle::degrees(45), 900.0}));
-  const std::vector<std::pair<std::string, paving::Bond>> names = {{"packed", paving::Bond::packed},
-                                                                   {"running", paving::Bond::running},
-                                                                   {"stack", paving::Bond::stack},
-                                                                   {"herringbone", paving::Bond::herringbone},
-                                                                   {"basket_weave", paving::Bond::basket_weave},
-                                                                   {"hexagon", paving::Bond::hexagon},
-                                                                   {"segmental_arc", paving::Bond::segmental_arc},
-                                                                   {"fan", paving::Bond::fan},
-                                                                   {"ashlar", paving::Bond::ashlar},
-                                                                   {"crazy", paving::Bond::crazy}};
-  for (const auto& [name, bond] : names) EXPECT_EQ(bonding("bond = \"" + name + "\"\n").bond, bond) << name;
+  for (const paving::BondType* type : paving::bond_types()) {
+    const std::string line = fmt::format("bond = \"{}\"\n", std::string_view(type->name));
+    if (type->is_for_scenes) {
+      EXPECT_EQ(bonding(line).bond, type->id) << line;
+    } else {
+      EXPECT_THROW(bonding(line), InputError) << line;
+    }
+  }
 }
 
 TEST(ReadScene, ReadsEveryKindOfDirection) {

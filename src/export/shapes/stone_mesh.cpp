@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "paving/surface/stone_surface.h"
 
 namespace shatterpave::exporting::shapes {
@@ -31,39 +31,33 @@ bool same(const vec3& a, const vec3& b) {
   return std::abs(a.x - b.x) < hairline_mm && std::abs(a.y - b.y) < hairline_mm;
 }
 
-std::size_t root(std::vector<std::size_t>& parents, std::size_t i) {
-  while (parents[i] != i) i = parents[i] = parents[parents[i]];
-  return i;
-}
-
 // For each patch the parts along u and along v.
 std::vector<std::array<std::size_t, 2>> divisions(const std::vector<BezierPatch>& patches, double step_mm,
                                                   std::size_t least_parts) {
-  std::vector<std::size_t> classes(4 * patches.size());
-  std::iota(classes.begin(), classes.end(), 0);
-  const auto unite = [&](std::size_t a, std::size_t b) { classes[root(classes, a)] = root(classes, b); };
+  const std::size_t border_count = 4 * patches.size();
+  DisjointSets classes(border_count);  // of borders that are divided alike
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    unite(4 * i, 4 * i + 2);
-    unite(4 * i + 1, 4 * i + 3);
+    classes.join(4 * i, 4 * i + 2);
+    classes.join(4 * i + 1, 4 * i + 3);
   }
-  for (std::size_t a = 0; a < classes.size(); ++a) {
+  for (std::size_t a = 0; a < border_count; ++a) {
     const auto first = ends(patches[a / 4], a % 4);
-    for (std::size_t b = a + 1; b < classes.size(); ++b) {
+    for (std::size_t b = a + 1; b < border_count; ++b) {
       const auto second = ends(patches[b / 4], b % 4);
       const bool shared =
           (same(first[0], second[0]) && same(first[1], second[1])) || (same(first[0], second[1]) && same(first[1], second[0]));
-      if (shared) unite(a, b);
+      if (shared) classes.join(a, b);
     }
   }
-  std::vector<double> lengths(classes.size(), 0.0);
-  for (std::size_t a = 0; a < classes.size(); ++a) {
+  std::vector<double> lengths(border_count, 0.0);
+  for (std::size_t a = 0; a < border_count; ++a) {
     const auto [from, to] = ends(patches[a / 4], a % 4);
-    double& longest = lengths[root(classes, a)];
+    double& longest = lengths[classes.of(a)];
     longest = std::max(longest, glm::length(to - from));
   }
   std::vector<std::array<std::size_t, 2>> counts(patches.size());
   const auto parts = [&](std::size_t border) {
-    return std::max(least_parts, static_cast<std::size_t>(std::ceil(lengths[root(classes, border)] / step_mm)));
+    return std::max(least_parts, static_cast<std::size_t>(std::ceil(lengths[classes.of(border)] / step_mm)));
   };
   for (std::size_t i = 0; i < patches.size(); ++i) counts[i] = {parts(4 * i), parts(4 * i + 1)};
   return counts;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/functions.h"
+#include "core/smooth_step.h"
 
 namespace shatterpave::glass {
 
@@ -22,12 +23,6 @@ constexpr double full_to = 0.6;
 constexpr double gone_at = 1.4;
 constexpr double fine_to = 0.35;
 constexpr double fineness_at_impact = 0.4;
-
-// 0 up to 0, 1 from 1 on, smooth between.
-double smooth(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 double between(double low, double high, double share) { return low + (high - low) * std::clamp(share, 0.0, 1.0); }
 
@@ -69,12 +64,12 @@ DiceShape::DiceShape(const Pane& pane, const Tempered& glass, vec2 impact_mm, do
 // Length to width.
 double DiceShape::ratio(double r_mm) const {
   const double x = r_mm / splinter_reach_mm_;
-  return 1.0 + (greatest_ratio_ - 1.0) * smooth(x / rise) * (1.0 - smooth((x - full_to) / (gone_at - full_to)));
+  return 1.0 + (greatest_ratio_ - 1.0) * smooth_step(x / rise) * (1.0 - smooth_step((x - full_to) / (gone_at - full_to)));
 }
 
 // Size of a fragment, 1 far out.
 double DiceShape::fineness(double r_mm) const {
-  return fineness_at_impact + (1.0 - fineness_at_impact) * smooth(r_mm / (fine_to * splinter_reach_mm_));
+  return fineness_at_impact + (1.0 - fineness_at_impact) * smooth_step(r_mm / (fine_to * splinter_reach_mm_));
 }
 
 double DiceShape::width_mm(double r_mm) const { return side_mm_ * fineness(r_mm) / std::sqrt(ratio(r_mm)); }

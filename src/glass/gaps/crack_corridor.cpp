@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "geometry/lattice.h"
+#include "geometry/segment_distance.h"
 
 namespace shatterpave::glass {
 
@@ -171,7 +172,7 @@ double Corridors::approach_sine(std::size_t path, bool at_end, const std::vector
   for (const double part : {0.125, 0.25, 0.5, 0.75, 1.0}) {
     const double back = std::min(part * shape_.joint_mm, lengths_[path]);
     const vec2 point = point_along(paths_[path].points_mm, at_end ? lengths_[path] - back : back);
-    for (const auto& [a, b] : to) sine = std::min(sine, distance_to_segment(point, a, b) / back);
+    for (const auto& [a, b] : to) sine = std::min(sine, geometry::distance_to_segment(point, a, b) / back);
   }
   return sine;
 }
@@ -223,7 +224,7 @@ void Corridors::cut_out_exempt(std::size_t path, double along, std::size_t other
 double Corridors::distance_to_side(std::size_t path, double along, vec2 point, const Piece& side) const {
   const bool at_edge = (paths_[path].end.at == CrackEnd::At::edge && lengths_[path] - along <= shape_.joint_mm) ||
                        (paths_[path].start.at == CrackEnd::At::edge && along <= shape_.joint_mm);
-  return at_edge ? infinity : distance_to_segment(point, side.a, side.b);
+  return at_edge ? infinity : geometry::distance_to_segment(point, side.a, side.b);
 }
 
 // From `point`, `along` the path, to what is not exempt of the piece.
@@ -235,7 +236,7 @@ double Corridors::distance_to_piece(std::size_t path, double along, vec2 point, 
     // Near itself a path counts where it has turned back.
     const double apart = 4.0 * (shape_.reach_mm + shape_.longest_step_mm);
     const double way = std::abs(piece.from_mm + along_nearest({piece.a, piece.b}, point) - along);
-    const double distance = distance_to_segment(point, piece.a, piece.b);
+    const double distance = geometry::distance_to_segment(point, piece.a, piece.b);
     if (way > shortest_step_mm && way < apart && distance < turned_back * way) return distance;
     cut_out(parts, {along - apart, along + apart});
   }
@@ -243,7 +244,8 @@ double Corridors::distance_to_piece(std::size_t path, double along, vec2 point, 
   double nearest = infinity;
   const vec2 direction = length == 0.0 ? vec2{0.0, 0.0} : (piece.b - piece.a) / length;
   const auto at = [&](double place) { return piece.a + (place - piece.from_mm) * direction; };
-  for (const Interval& part : parts) nearest = std::min(nearest, distance_to_segment(point, at(part.low), at(part.high)));
+  for (const Interval& part : parts)
+    nearest = std::min(nearest, geometry::distance_to_segment(point, at(part.low), at(part.high)));
   return nearest;
 }
 

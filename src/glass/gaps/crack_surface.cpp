@@ -12,6 +12,7 @@
 #include "core/functions.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "core/smooth_step.h"
 #include "geometry/lattice.h"
 #include "glass/gaps/crack_corridor.h"
 #include "glass/gaps/crack_walls.h"
@@ -58,8 +59,7 @@ double octave(std::uint64_t seed, const Address& address, double x) {
   const auto knot = [&](double at) {
     return 2.0 * uniform(seed, {address.stream, address.element, address.draw + static_cast<std::uint32_t>(at)}) - 1.0;
   };
-  const double smooth = part * part * (3.0 - 2.0 * part);
-  return knot(whole) + smooth * (knot(whole + 1.0) - knot(whole));
+  return knot(whole) + smooth_step(part) * (knot(whole + 1.0) - knot(whole));
 }
 
 // Of two octaves, in [-1, 1]; x >= 0, below 2^30.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/segment_distance.h"
 #include "glass/map/crack_paths.h"
 
 namespace shatterpave::glass {
@@ -56,7 +57,7 @@ double first_meeting(vec2 a, vec2 b, const Pieces& pieces) {
 
 double distance(vec2 point, const Pieces& pieces) {
   double nearest = 1e300;
-  for (const auto& [p, q] : pieces) nearest = std::min(nearest, distance_to_segment(point, p, q));
+  for (const auto& [p, q] : pieces) nearest = std::min(nearest, geometry::distance_to_segment(point, p, q));
   return nearest;
 }
 

@@ -44,7 +44,8 @@ double inertia(double age, const Growth& growth);
 // The angle by which a tip of that weight turns in a step of `step_px` (eq. 12 to 15, 18), for its share of turn_length.
 Angle turn(vec2 force, vec2 heading, double weight, double step_px, const Growth& growth);
 
-// `v` turned counter-clockwise by `angle`.
+// `v` turned counter-clockwise by `angle`. Not `rotated` of core/angle.h: sine and cosine found together differ from those
+// found one by one in the last bits, and so would every crack.
 vec2 turned(vec2 v, Angle angle);
 
 // F3 of such a step, of magnitude 1: about the heading, its direction off by `deviate`, a standard normal number, times what

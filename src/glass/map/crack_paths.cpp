@@ -6,6 +6,7 @@
 #include <map>
 
 #include "geometry/lattice.h"
+#include "geometry/segment_distance.h"
 
 namespace shatterpave::glass {
 
@@ -17,7 +18,7 @@ constexpr double largest_zone_share = 0.04;
 double distance_to_outline(const geometry::Polygon& outline, vec2 point) {
   double distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    distance = std::min(distance, distance_to_segment(point, outline[i], outline[(i + 1) % outline.size()]));
+    distance = std::min(distance, geometry::distance_to_segment(point, outline[i], outline[(i + 1) % outline.size()]));
   }
   return distance;
 }
@@ -40,13 +41,6 @@ std::vector<int> order_of_precedence(const CrackNetwork& network) {
 }
 
 }  // namespace
-
-double distance_to_segment(vec2 point, vec2 a, vec2 b) {
-  const vec2 side = b - a;
-  const double length2 = glm::dot(side, side);
-  const double t = length2 == 0.0 ? 0.0 : std::clamp(glm::dot(point - a, side) / length2, 0.0, 1.0);
-  return glm::length(point - (a + t * side));
-}
 
 std::vector<CrackPath> crack_paths(const CrackNetwork& network) {
   std::vector<CrackPath> result;

@@ -38,7 +38,4 @@ struct ImpactZone {
 // clear of the outline and of the zones of the other impacts.
 std::vector<double> zone_limits_mm(const Pane& pane, const CrackNetwork& network);
 
-// From `point` to the segment a → b, which may be a point.
-double distance_to_segment(vec2 point, vec2 a, vec2 b);
-
 }  // namespace shatterpave::glass

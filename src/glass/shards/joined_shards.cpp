@@ -7,11 +7,12 @@
 #include <array>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "core/disjoint_sets.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "geometry/segment_distance.h"
 #include "geometry/segment_index.h"
 #include "glass/map/crack_paths.h"
 
@@ -40,24 +41,6 @@ std::vector<std::array<std::size_t, 2>> faces_beside(const FacedPane& faced) {
   }
   return beside;
 }
-
-// For each face the least one of those that it stands together with.
-class Companies {
- public:
-  explicit Companies(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t of(std::size_t face) const {
-    while (parent_[face] != face) face = parent_[face];
-    return face;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = of(a);
-    b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 // Has the face's segments go by `numbers`.
 void number_by(const std::vector<std::size_t>& numbers, geometry::Face& face) {
@@ -96,7 +79,7 @@ class ShardBorder {
     return std::ranges::any_of(
         index_.near(geometry::to_lattice(p - margin), geometry::to_lattice(p + margin)), [&](int number) {
           const geometry::Segment side = index_.segment(number);
-          return distance_to_segment(p, geometry::to_mm(side.a), geometry::to_mm(side.b)) <= edge_tolerance_mm;
+          return geometry::distance_to_segment(p, geometry::to_mm(side.a), geometry::to_mm(side.b)) <= edge_tolerance_mm;
         });
   }
 
@@ -164,7 +147,7 @@ std::vector<Body> bodies_of(const Pane& pane, const FacedPane& faced, const Join
 
 std::vector<JoinedFace> joined_faces(const FacedPane& faced, const std::vector<bool>& stands) {
   const std::vector<std::array<std::size_t, 2>> beside = faces_beside(faced);
-  Companies companies(faced.faces.size());
+  DisjointSets companies(faced.faces.size());  // of faces that stand together
   std::vector<std::size_t> kept;
   std::vector<geometry::Segment> segments;
   for (std::size_t i = 0; i < beside.size(); ++i) {

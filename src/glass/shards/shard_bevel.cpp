@@ -10,6 +10,7 @@
 #include <span>
 
 #include "geometry/plane_mesh.h"
+#include "geometry/segment_distance.h"
 #include "geometry/triangulation.h"
 #include "glass/map/crack_paths.h"
 #include "glass/shards/shard_solid.h"
@@ -151,7 +152,8 @@ double distance_to_border_mm(const Strip& strip, LatticePoint point) {
   std::size_t here = 0;
   for (const LatticeRing& ring : strip.rings) {
     for (std::size_t i = 0; i < ring.size() && strip.vertices[here].on_border(); ++i) {
-      least = std::min(least, distance_to_segment(p, geometry::to_mm(ring[i]), geometry::to_mm(ring[(i + 1) % ring.size()])));
+      least = std::min(
+          least, geometry::distance_to_segment(p, geometry::to_mm(ring[i]), geometry::to_mm(ring[(i + 1) % ring.size()])));
     }
     here += ring.size();
   }
@@ -273,7 +275,7 @@ ShardSurface surface_by_place(const PlaneMesh& mesh, const geometry::TriangleCor
   if (std::ranges::all_of(sides, [&](std::size_t v) { return vertices[v].is_old == is_old; })) return surface_of(is_old);
   const vec2 middle = (at(corners[0]) + at(corners[1]) + at(corners[2])) / 3.0;
   const std::size_t nearest = *std::ranges::min_element(
-      sides, {}, [&](std::size_t v) { return distance_to_segment(middle, at(v), at(vertices[v].next)); });
+      sides, {}, [&](std::size_t v) { return geometry::distance_to_segment(middle, at(v), at(vertices[v].next)); });
   return surface_of(vertices[nearest].is_old);
 }
 

@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "geometry/clip.h"
 #include "geometry/contacts.h"
+#include "geometry/segment_distance.h"
 #include "glass/map/crack_paths.h"
 
 namespace shatterpave::glass {
@@ -67,7 +68,7 @@ class PaneEdge {
   bool holds(vec2 a, vec2 b) const {
     const vec2 middle = 0.5 * (a + b);
     const auto nearest = std::ranges::min_element(
-        sides_, {}, [&](const auto& side) { return distance_to_segment(middle, side.first, side.second); });
+        sides_, {}, [&](const auto& side) { return geometry::distance_to_segment(middle, side.first, side.second); });
     if (nearest == sides_.end() || !is_near(a) || !is_near(b) || !is_near(middle)) return false;
     const vec2 along = nearest->second - nearest->first;
     return glm::dot(b - a, along) > std::abs(cross(along, b - a));
@@ -75,8 +76,9 @@ class PaneEdge {
 
  private:
   bool is_near(vec2 p) const {
-    return std::ranges::any_of(
-        sides_, [&](const auto& side) { return distance_to_segment(p, side.first, side.second) <= cut_tolerance_mm; });
+    return std::ranges::any_of(sides_, [&](const auto& side) {
+      return geometry::distance_to_segment(p, side.first, side.second) <= cut_tolerance_mm;
+    });
   }
 
   std::vector<std::pair<vec2, vec2>> sides_;

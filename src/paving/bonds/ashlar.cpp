@@ -1,4 +1,7 @@
-// Random ashlar. Modules are filled row by row: at the first free one a stone is drawn of those that fit there. Two things
+// Random ashlar: rectangles of several sizes, mixed. stone_mm is the smallest stone, one module; others take 2 × 1, 2 × 2 and 3
+// × 2 modules, along the rows or across them, and the joints between.
+//
+// Modules are filled row by row: at the first free one a stone is drawn of those that fit there. Two things
 // guide the draw. Sizes that are behind their share become likelier, since small ones fit everywhere and would take over. And
 // stones that would make a joint run on, past the ends of their neighbours, become less likely: a good paviour leaves no cross
 // and no long through joint.
@@ -7,7 +10,11 @@
 #include <cmath>
 #include <optional>
 
-#include "paving/bonds/patterns.h"
+#include "core/random.h"
+#include "geometry/lattice.h"
+#include "paving/bonds/bond.h"
+#include "paving/bonds/table.h"
+#include "paving/bonds/usual.h"
 #include "paving/tiles/near_points.h"
 
 namespace shatterpave::paving {
@@ -141,15 +148,14 @@ class Filling {
   std::array<double, shares.size()> counts_{};
 };
 
-}  // namespace
-
-std::vector<Tile> ashlar_tiles(vec2 pitch, const Placement& placement, const geometry::RegionIndex& area, std::uint64_t seed,
-                               Id pavement) {
+std::vector<Tile> ashlar_tiles(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed) {
+  const vec2 pitch = pitch_mm(pavement);
+  const Placement placement = anchored(area, pattern_direction(pavement).direction());
   constexpr double largest = 3.0;  // modules
   const Grid grid{placement.out_of(0.5 * pitch), pitch.x * placement.along, pitch.y * left_of(placement.along)};
   auto modules = near_points(grid, area, (largest + 1.0) * std::max(pitch.x, pitch.y));
   std::vector<Tile> tiles;
-  for (const auto& [low, size] : Filling(std::move(modules), seed, pavement).blocks()) {
+  for (const auto& [low, size] : Filling(std::move(modules), seed, Id(pavement.name)).blocks()) {
     const auto corner = [&](std::int64_t i, std::int64_t j) {
       return geometry::on_lattice(placement.out_of(pitch * vec2{static_cast<double>(i), static_cast<double>(j)}));
     };
@@ -161,5 +167,46 @@ std::vector<Tile> ashlar_tiles(vec2 pitch, const Placement& placement, const geo
   }
   return tiles;
 }
+
+// Three by two modules, of which the three may run along the rows or across them.
+Stock ashlar_stock(const Pavement& pavement) {
+  const vec2 pitch = pitch_mm(pavement);
+  const vec2 joint{pavement.joint_mm, pavement.joint_mm};
+  const vec2 size = vec2{3.0, 2.0} * pitch - joint;
+  const vec2 turned = vec2{3.0, 2.0} * vec2{pitch.y, pitch.x} - joint;
+  return {size, std::max(size.x * size.y, turned.x * turned.y), turned, pattern_direction(pavement).direction()};
+}
+
+// Modules that a stone takes in the mean: by counting the stones of scenes/bonds.toml.
+constexpr double mean_modules = 2.6;
+
+double ashlar_area_mm2(const Pavement& pavement) {
+  const vec2 pitch = pitch_mm(pavement);
+  return mean_modules * pitch.x * pitch.y;
+}
+
+}  // namespace
+
+extern constinit const BondType ashlar_bond{
+    .id = Bond::ashlar,
+    .name = "ashlar",
+    .sentence = "rectangles of several sizes, mixed at random",
+    .stone_words = "the smallest, one module; others take 2 × 1, 2 × 2 and 3 × 2 modules and the joints between",
+    .stock_words = "three by two modules",
+    .is_for_scenes = true,
+    .bending = Bending::straight,
+    .drawing = Drawing::always,
+    .shapes = any_shape,
+    .takes_offset = false,
+    .takes_span = false,
+    .has_square_stones = true,
+    .has_stones_of_a_size = false,
+    .pattern_turn = Angle(),
+    .mean_area_mm2 = ashlar_area_mm2,
+    .whole_face_mm2 = stone_face_mm2,
+    .stock = ashlar_stock,
+    .pattern = nullptr,
+    .tiles = ashlar_tiles,
+};
 
 }  // namespace shatterpave::paving

@@ -1,4 +1,4 @@
-// Bonds: the rules by which stones are laid, other than free packing.
+// What is asked of the bond of a pavement; what bonds there are, and their traits, is told in paving/bonds/table.h.
 //
 // A bond is a division of the plane into tiles, half a joint wider all round than its stones; cutting at the outline, joining
 // of small pieces and taking off the joint are the same as for packed stones (paving/tiles/cutting.h). What is needed is a map
@@ -10,14 +10,6 @@
 //     different lines meet they are mitred.
 // No pattern that is more than rows can be bent without wedges or steps. A good paviour then lays it straight, in the main
 // direction, and cuts it at the borders; so does this: patterns on circles and curves lie along `main_direction`.
-//
-// What stone_mm = [a, b] means:
-//   packed, running, stack, herringbone   the face of each stone
-//   basket_weave    a is the length; round(a / b) stones make a square block, so that b is adjusted to fit
-//   hexagon         a: across flats, along the rows; the honeycomb is stretched by b / a across them
-//   segmental_arc, fan   mean along a row, and depth of a row, in the middle of the arc
-//   ashlar          the smallest stone, one module; others take 2 × 1, 2 × 2 and 3 × 2 modules and the joints between
-//   crazy           mean area a · b
 #pragma once
 
 #include <cstdint>
@@ -39,6 +31,13 @@ Angle main_direction(const Pavement& pavement);
 // The angle of an axis, whose sign means nothing, in (−90°, 90°].
 Angle axis_angle(vec2 axis);
 
+// Whether the rows of the pavement's bond bend: it can, and its direction is not the same everywhere.
+bool is_bent(const Pavement& pavement);
+// Whether the seed decides where stones are set out.
+bool is_drawn(const Pavement& pavement);
+// How far a straight side may stray into its joint, as a part of the joint: where stones are packed along a bend.
+double side_bulge(const Pavement& pavement);
+
 // The pattern of a bond that repeats, packed stones in one direction among them, with u along the rows; nothing where rows bend
 // or stones are mixed at random.
 std::optional<Pattern> periodic_pattern(const Pavement& pavement);
@@ -49,16 +48,8 @@ Angle pattern_direction(const Pavement& pavement);
 std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed);
 
 // The stock that the stones of the bond are cut from, along their axis and across it. None that is laid is larger, whole or
-// cut:
-//   running, stack, herringbone, packed in one direction   stone_mm
-//   basket_weave, hexagon, segmental_arc, fan               the largest stone of the pattern
-//   ashlar          three by two modules, the three along the rows or across them
-//   crazy           twice stone_mm each way, and an area of twice theirs
-//   packed, where rows bend   `bent_stock` times stone_mm each way, since the packing makes no two stones alike
+// cut. Each bond's row says what it is.
 Stock stock(const Pavement& pavement);
-
-// By trial: of the whole stones of all plans of benchmarks/packing_quality none is larger by more.
-inline constexpr double bent_stock = 1.5;
 
 // The face of a usual whole stone of the bond, mm²: what a small piece is measured by.
 double whole_face_mm2(const Pavement& pavement);

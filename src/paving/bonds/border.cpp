@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/clip.h"
-#include "paving/bonds/course.h"
+#include "paving/bonds/course_tiles.h"
 #include "paving/tiles/filling.h"
 
 namespace shatterpave::paving {

@@ -9,7 +9,8 @@
 
 #include "geometry/clip.h"
 #include "geometry/lattice.h"
-#include "paving/bonds/course.h"
+#include "geometry/segment_distance.h"
+#include "paving/bonds/course_tiles.h"
 #include "paving/tiles/filling.h"
 #include "paving/tiles/pattern.h"
 
@@ -28,7 +29,7 @@ double farthest(const geometry::RegionIndex& area, const std::vector<std::vector
     double nearest = 1e300;
     for (const auto& line : lines) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        nearest = std::min(nearest, glm::length(geometry::nearest_point({line[i], line[i + 1]}, s.from) - s.from));
+        nearest = std::min(nearest, geometry::distance_to_segment(s.from, line[i], line[i + 1]));
       }
     }
     most = std::max(most, nearest);

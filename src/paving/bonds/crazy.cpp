@@ -1,13 +1,18 @@
-// Crazy paving: the Voronoi cells of seeds drawn one to a square. Raw, such cells have needles and sides shorter than a joint,
+// Crazy paving: irregular convex polygons. stone_mm = [a, b]: their mean area is a · b.
+//
+// They are the Voronoi cells of seeds drawn one to a square. Raw, such cells have needles and sides shorter than a joint,
 // which no one lays. So seeds first move to the middles of their cells (Lloyd), once: more would make a honeycomb of it. Then
 // corners that are too near to each other become one.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "core/random.h"
 #include "geometry/lattice.h"
 #include "geometry/voronoi.h"
-#include "paving/bonds/patterns.h"
+#include "paving/bonds/bond.h"
+#include "paving/bonds/table.h"
+#include "paving/bonds/usual.h"
 #include "paving/tiles/near_points.h"
 
 namespace shatterpave::paving {
@@ -42,16 +47,16 @@ bool join_near_corners(geometry::Voronoi& diagram, double least_mm) {
   return found;
 }
 
-}  // namespace
-
-std::vector<Tile> crazy_tiles(vec2 pitch, const Placement& placement, const geometry::RegionIndex& area, std::uint64_t seed,
-                              Id pavement) {
+std::vector<Tile> crazy_tiles(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed) {
+  const vec2 pitch = pitch_mm(pavement);
+  const Placement placement = anchored(area, pattern_direction(pavement).direction());
   const Grid grid{placement.origin, pitch.x * placement.along, pitch.y * left_of(placement.along)};
   // Beyond the area so far that cells at the rim, and those that moving makes crooked, are not needed.
   constexpr double band_pitches = 5.0;
+  const Id owner = Id(pavement.name).child("crazy");
   std::vector<vec2> seeds;
   for (const GridPoint& p : near_points(grid, area, band_pitches * std::max(pitch.x, pitch.y))) {
-    const Id id = pavement.child("crazy").child(static_cast<std::uint64_t>(p.j)).child(static_cast<std::uint64_t>(p.i));
+    const Id id = owner.child(static_cast<std::uint64_t>(p.j)).child(static_cast<std::uint64_t>(p.i));
     const vec2 draw{uniform(seed, {Stream::crazy_seed, id, 0}), uniform(seed, {Stream::crazy_seed, id, 1})};
     const vec2 place = pitch * (vec2{static_cast<double>(p.i), static_cast<double>(p.j)} + draw);
     seeds.push_back(geometry::on_lattice(placement.out_of(place)));
@@ -81,5 +86,34 @@ std::vector<Tile> crazy_tiles(vec2 pitch, const Placement& placement, const geom
   }
   return tiles;
 }
+
+Stock crazy_stock(const Pavement& pavement) {
+  const vec2 stone = pavement.stone_mm;
+  return {2.0 * stone, 2.0 * stone.x * stone.y, {}, {1.0, 0.0}};
+}
+
+}  // namespace
+
+extern constinit const BondType crazy_bond{
+    .id = Bond::crazy,
+    .name = "crazy",
+    .sentence = "irregular polygons",
+    .stone_words = "a · b is the mean area",
+    .stock_words = "twice `stone_mm` each way, and an area of twice theirs",
+    .is_for_scenes = true,
+    .bending = Bending::straight,
+    .drawing = Drawing::always,
+    .shapes = any_shape,
+    .takes_offset = false,
+    .takes_span = false,
+    .has_square_stones = false,
+    .has_stones_of_a_size = false,
+    .pattern_turn = Angle(),
+    .mean_area_mm2 = pitch_area_mm2,
+    .whole_face_mm2 = stone_face_mm2,
+    .stock = crazy_stock,
+    .pattern = nullptr,
+    .tiles = crazy_tiles,
+};
 
 }  // namespace shatterpave::paving

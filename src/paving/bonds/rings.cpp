@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/angle.h"
+#include "geometry/corners.h"
 #include "geometry/lattice.h"
 #include "paving/bonds/course_line.h"
 #include "paving/tiles/pattern.h"
@@ -35,13 +36,14 @@ struct Sector {
 // As seen from `centre`; all round if it lies in the box about the area, or near it.
 Sector sector_of(const geometry::RegionIndex& area, vec2 centre, double margin_mm) {
   const geometry::Box box = area.box();
-  const vec2 low = box.low - vec2{margin_mm, margin_mm};
-  const vec2 high = box.high + vec2{margin_mm, margin_mm};
+  const vec2 margin{margin_mm, margin_mm};
+  const geometry::Box about{box.low - margin, box.high + margin};
+  const auto& [low, high] = about;
   if (centre.x >= low.x && centre.x <= high.x && centre.y >= low.y && centre.y <= high.y) return {};
   const vec2 middle = 0.5 * (low + high) - centre;
   double least = 0.0;
   double most = 0.0;
-  for (const vec2 corner : {low, vec2{high.x, low.y}, high, vec2{low.x, high.y}}) {
+  for (const vec2 corner : geometry::corners(about)) {
     const double turns = Angle::of({glm::dot(middle, corner - centre), cross(middle, corner - centre)}).degrees() / 360.0;
     least = std::min(least, turns);
     most = std::max(most, turns);

@@ -11,6 +11,7 @@
 #include "geometry/region_index.h"
 #include "paving/bonds/bond.h"
 #include "paving/bonds/courses.h"
+#include "paving/bonds/table.h"
 #include "paving/catalogue/finishes.h"
 #include "paving/catalogue/stone_sizes.h"
 #include "paving/surface/stone_surface.h"
@@ -130,7 +131,7 @@ Pavement blocks(const Pavement& pavement, const Flight& flight) {
   result.border = {};
   result.joint_mm = std::min({pavement.joint_mm, widest_block_joint_mm, 0.5 * flight.tread_mm});
   result.stone_mm.y = flight.tread_mm - result.joint_mm;
-  if (result.bonding.bond != Bond::stack) result.bonding.bond = Bond::running;
+  if (type_of(result).bending != Bending::rows) result.bonding.bond = Bond::running;
   result.variation = {};
   result.variation.tilt = Angle();
   if (result.body.finish == Finish::none) {
@@ -181,8 +182,8 @@ std::vector<Pavement> steps(const Pavement& pavement, const Flight& flight) {
     rise_mm += flight.riser_mm;
     step.ground.level_mm = pavement.ground.level_mm + rise_mm + face_mm(pavement) - face_mm(step);
     step.ground.depth_mm = pavement.ground.depth_mm + std::max(0.0, rise_mm - foot_mm);
-    const double moved = static_cast<double>(k) * step.bonding.offset;
-    step.bonding.start = step.bonding.bond == Bond::stack ? 0.0 : moved - std::floor(moved);
+    const double moved = type_of(step).takes_offset ? static_cast<double>(k) * step.bonding.offset : 0.0;
+    step.bonding.start = moved - std::floor(moved);
     for (const Region& part : parts[k]) {
       Pavement& one = result.emplace_back(step);
       one.area = part;

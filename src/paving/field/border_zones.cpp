@@ -8,9 +8,10 @@
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "geometry/clip.h"
+#include "geometry/corners.h"
 #include "geometry/lattice.h"
 
 namespace shatterpave::paving {
@@ -35,25 +36,6 @@ vec2 unit_along(const Segment& s) { return (s.to - s.from) / glm::length(s.to - 
 
 double turn_sine(const Segment& a, const Segment& b) { return std::abs(cross(unit_along(a), unit_along(b))); }
 
-// Sets that are joined step by step; each is known by its least member.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t of(std::size_t i) const {
-    auto at = static_cast<std::uint32_t>(i);
-    while (parent_[at] != at) at = parent_[at];
-    return at;
-  }
-  void join(std::size_t a, std::size_t b) {
-    const auto [low, high] = std::minmax({of(a), of(b)});
-    parent_[high] = low;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 // Each side with those that begin where it ends.
 std::vector<std::pair<std::size_t, std::size_t>> corners_of(const std::vector<Segment>& sides) {
   std::multimap<geometry::LatticePoint, std::size_t> begins;
@@ -67,18 +49,18 @@ std::vector<std::pair<std::size_t, std::size_t>> corners_of(const std::vector<Se
 }
 
 // Runs of sides that bend gently, and short runs with the neighbour that they turn from the least.
-Sets runs_of(const std::vector<Segment>& sides, double least_run_mm) {
+DisjointSets runs_of(const std::vector<Segment>& sides, double least_run_mm) {
   auto corners = corners_of(sides);
   std::ranges::stable_sort(corners, {}, [&](const auto& c) { return turn_sine(sides[c.first], sides[c.second]); });
-  Sets runs(sides.size());
+  DisjointSets runs(sides.size());
   for (const auto& [a, b] : corners) {
     if (turn_sine(sides[a], sides[b]) < mitre_sine) runs.join(a, b);
   }
   std::vector<double> length(sides.size(), 0.0);
   for (std::size_t s = 0; s < sides.size(); ++s) length[runs.of(s)] += glm::length(sides[s].to - sides[s].from);
   for (const auto& [a, b] : corners) {
-    const std::uint32_t run_a = runs.of(a);
-    const std::uint32_t run_b = runs.of(b);
+    const std::size_t run_a = runs.of(a);
+    const std::size_t run_b = runs.of(b);
     if (run_a == run_b || std::min(length[run_a], length[run_b]) >= least_run_mm) continue;
     const double together = length[run_a] + length[run_b];
     runs.join(a, b);
@@ -107,10 +89,8 @@ class SideCells {
     for (const Segment& s : border.segments()) sites.push_back(site(s.from, s.to));
     const geometry::Box box = border.box();
     const vec2 room = vec2{1000.0, 1000.0} + 0.25 * (box.high - box.low);
-    const vec2 low = box.low - room;
-    const vec2 high = box.high + room;
-    const std::array corners = {low, vec2{high.x, low.y}, high, vec2{low.x, high.y}};
-    for (std::size_t i = 0; i < 4; ++i) sites.push_back(site(corners[i], corners[(i + 1) % 4]));
+    const std::array about = geometry::corners({box.low - room, box.high + room});
+    for (std::size_t i = 0; i < 4; ++i) sites.push_back(site(about[i], about[(i + 1) % 4]));
     boost::polygon::construct_voronoi(sites.begin(), sites.end(), &diagram_);
   }
 
@@ -196,7 +176,7 @@ class SideCells {
 
 // The border between two runs, and how much of it has rows alike on both sides, mm.
 struct Seam {
-  std::pair<std::uint32_t, std::uint32_t> runs;
+  std::pair<std::size_t, std::size_t> runs;
   double length = 0.0;
   double alike = 0.0;
 
@@ -204,10 +184,10 @@ struct Seam {
 };
 
 // All seams between different sets, the longest first.
-std::vector<Seam> seams_between(const SideCells& cells, const std::vector<Segment>& sides, const Sets& runs) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Seam> found;
+std::vector<Seam> seams_between(const SideCells& cells, const std::vector<Segment>& sides, const DisjointSets& runs) {
+  std::map<std::pair<std::size_t, std::size_t>, Seam> found;
   cells.for_each_seam([&](std::size_t a, std::size_t b, double length) {
-    const std::pair<std::uint32_t, std::uint32_t> beside = std::minmax({runs.of(a), runs.of(b)});
+    const std::pair<std::size_t, std::size_t> beside = std::minmax({runs.of(a), runs.of(b)});
     if (beside.first == beside.second) return;
     Seam& seam = found[beside];
     seam.runs = beside;
@@ -222,14 +202,14 @@ std::vector<Seam> seams_between(const SideCells& cells, const std::vector<Segmen
 }
 
 // Joins runs that face each other with rows alike, but for those that a mitre would then run within.
-void join_facing(const SideCells& cells, const std::vector<Segment>& sides, Sets& runs) {
+void join_facing(const SideCells& cells, const std::vector<Segment>& sides, DisjointSets& runs) {
   const std::vector<Seam> seams = seams_between(cells, sides, runs);
   for (const Seam& seam : seams) {
-    const std::uint32_t a = runs.of(seam.runs.first);
-    const std::uint32_t b = runs.of(seam.runs.second);
+    const std::size_t a = runs.of(seam.runs.first);
+    const std::size_t b = runs.of(seam.runs.second);
     const bool mitred = std::ranges::any_of(seams, [&](const Seam& other) {
-      const std::uint32_t c = runs.of(other.runs.first);
-      const std::uint32_t d = runs.of(other.runs.second);
+      const std::size_t c = runs.of(other.runs.first);
+      const std::size_t d = runs.of(other.runs.second);
       return other.is_mitre() && ((c == a && d == b) || (c == b && d == a));
     });
     if (!mitred) runs.join(a, b);
@@ -276,12 +256,12 @@ BorderZones border_zones(const geometry::Region& region, const geometry::RegionI
   const std::vector<Segment>& sides = border.segments();
   BorderZones one{std::vector<std::uint32_t>(sides.size(), 0), {{region}}};
   if (!meet_in_ends(border)) return one;
-  Sets runs = runs_of(sides, least_run_mm);
+  DisjointSets runs = runs_of(sides, least_run_mm);
   const SideCells cells(border);
   join_facing(cells, sides, runs);
 
   BorderZones zones{std::vector<std::uint32_t>(sides.size(), 0), {}};
-  std::map<std::uint32_t, std::uint32_t> numbers;
+  std::map<std::size_t, std::uint32_t> numbers;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const auto next = static_cast<std::uint32_t>(numbers.size());
     zones.of_segment[s] = numbers.try_emplace(runs.of(s), next).first->second;

@@ -1,4 +1,7 @@
 // Points sorted into squares of a fixed size, to be asked for those near a place. Points can be added.
+//
+// It stands beside geometry/point_index.h, which also moves points and finds the nearest: a packing is asked for all neighbours
+// of all points at once, adds up forces in the order in which they are visited, and so keeps its own order and its bits.
 #pragma once
 
 #include <cmath>

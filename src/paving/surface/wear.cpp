@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "core/smooth_step.h"
 
 namespace shatterpave::paving {
 
@@ -12,10 +13,7 @@ std::vector<double> traffic(const std::vector<Stone>& stones, const geometry::Re
                [&](std::size_t s) { distances[s] = area.nearest(geometry::centroid(stones[s].outline_mm)).distance_mm; });
   const double farthest = distances.empty() ? 0.0 : *std::ranges::max_element(distances);
   if (farthest == 0.0) return std::vector<double>(distances.size(), 0.0);
-  for (double& distance : distances) {
-    const double part = distance / farthest;
-    distance = part * part * (3.0 - 2.0 * part);
-  }
+  for (double& distance : distances) distance = smooth_step(distance / farthest);
   return distances;
 }
 

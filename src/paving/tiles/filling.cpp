@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/clip.h"
+#include "geometry/corners.h"
 #include "geometry/lattice.h"
 #include "geometry/overlay.h"
 
@@ -146,7 +147,6 @@ std::vector<Tile> parted(const std::vector<Tile>& tiles, const Region& region, W
 
 std::vector<Polygon> without_holes(Region region) {
   if (region.holes.empty()) return {std::move(region.outline)};
-  const auto rectangle = [](vec2 low, vec2 high) { return Polygon{low, {high.x, low.y}, high, {low.x, high.y}}; };
   std::vector<Polygon> parts;
   const auto append = [&](std::vector<Region> regions) {
     for (Region& part : regions) std::ranges::move(without_holes(std::move(part)), std::back_inserter(parts));
@@ -157,7 +157,8 @@ std::vector<Polygon> without_holes(Region region) {
   std::erase_if(region.holes, [&](const Polygon& hole) {
     const Box box = geometry::bounding_box(hole);
     const bool slit = std::min(box.high.x - box.low.x, box.high.y - box.low.y) < 1.5 * step.x;
-    if (slit) slits.push_back(rectangle(geometry::on_lattice(box.low - step), geometry::on_lattice(box.high + step)));
+    if (slit)
+      slits.push_back(geometry::rectangle({geometry::on_lattice(box.low - step), geometry::on_lattice(box.high + step)}));
     return slit;
   });
   if (!slits.empty()) {
@@ -170,7 +171,7 @@ std::vector<Polygon> without_holes(Region region) {
   const bool upright = box.high.x - box.low.x >= box.high.y - box.low.y;
   const vec2 split_high = upright ? vec2{middle.x, box.high.y} : vec2{box.high.x, middle.y};
   const vec2 split_low = upright ? vec2{middle.x, box.low.y} : vec2{box.low.x, middle.y};
-  for (const Polygon& half : {rectangle(box.low, split_high), rectangle(split_low, box.high)}) {
+  for (const Polygon& half : {geometry::rectangle({box.low, split_high}), geometry::rectangle({split_low, box.high})}) {
     append(geometry::intersection(half, region));
   }
   return parts;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/corners.h"
+
 namespace shatterpave::paving {
 
 namespace {
@@ -57,7 +59,7 @@ struct Finder {
 
 std::vector<GridPoint> near_points(const Grid& grid, const geometry::RegionIndex& area, double band_mm) {
   const geometry::Box box = area.box();
-  const std::array corners = {box.low, vec2{box.high.x, box.low.y}, box.high, vec2{box.low.x, box.high.y}};
+  const std::array corners = geometry::corners(box);
   vec2 low{0.0, 0.0};
   vec2 high{0.0, 0.0};
   for (std::size_t k = 0; k < corners.size(); ++k) {

@@ -1,4 +1,5 @@
-// Points of a regular grid that lie in a region or near it, found without visiting the others.
+// Points of a regular grid that lie in a region or near it, found without visiting the others. The points are not kept: indices
+// of points are geometry/point_index.h and paving/packing/near_index.h.
 #pragma once
 
 #include <compare>

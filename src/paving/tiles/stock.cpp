@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/clip.h"
+#include "geometry/corners.h"
 #include "geometry/lattice.h"
 
 namespace shatterpave::paving {
@@ -20,7 +21,7 @@ vec2 out_of(vec2 along_across, vec2 axis) { return along_across.x * axis + along
 
 // The rectangle of an extent, on the lattice.
 Polygon rectangle(const Box& box, vec2 axis) {
-  Polygon corners{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+  Polygon corners = geometry::rectangle(box);
   for (vec2& p : corners) p = geometry::on_lattice(out_of(p, axis));
   return corners;
 }

@@ -9,7 +9,6 @@
 #include "core/random.h"
 #include "geometry/clip.h"
 #include "geometry/lattice.h"
-#include "paving/tiles/cells.h"
 
 namespace shatterpave::paving {
 
@@ -18,7 +17,7 @@ namespace {
 // Rounding of both faces to the lattice, and of the cells that they are of, with some room.
 constexpr double hairline_mm = 0.01;
 
-geometry::Polygon moved(const geometry::Polygon& outline, const Pavement& pavement, std::uint64_t seed, Id id) {
+geometry::Polygon moved(const geometry::Polygon& outline, const Pavement& pavement, double bulge, std::uint64_t seed, Id id) {
   const Variation& variation = pavement.variation;
   const auto draw = [&](std::uint32_t index) { return 2.0 * uniform(seed, {Stream::stone_place, id, index}) - 1.0; };
   const double scale = 1.0 + variation.size * draw(0);
@@ -32,9 +31,7 @@ geometry::Polygon moved(const geometry::Polygon& outline, const Pavement& paveme
     steps.push_back(middle + scale * rotated(p - middle, turn) + offset - p);
     farthest = std::max(farthest, std::sqrt(glm::dot(steps.back(), steps.back())));
   }
-  const bool straightened =
-      pavement.bonding.bond == Bond::packed && !std::holds_alternative<ConstantDirection>(pavement.direction);
-  const double own_part = 0.5 - (straightened ? largest_bulge : 0.0);
+  const double own_part = 0.5 - bulge;
   const double most = std::max(0.0, own_part * pavement.joint_mm - hairline_mm);
   const double part = farthest > most ? most / farthest : 1.0;
   geometry::Polygon result(outline.size());
@@ -45,13 +42,13 @@ geometry::Polygon moved(const geometry::Polygon& outline, const Pavement& paveme
 
 }  // namespace
 
-StoneLayout varied(StoneLayout layout, const Pavement& pavement, std::uint64_t seed) {
+StoneLayout varied(StoneLayout layout, const Pavement& pavement, double bulge, std::uint64_t seed) {
   const Variation& variation = pavement.variation;
   const auto id_of = [&](const Stone& stone) { return Id(pavement.name).child(static_cast<std::uint64_t>(stone.id)); };
   if (variation.size > 0.0 || variation.rotation > Angle() || variation.offset_mm > 0.0) {
     parallel_for(layout.stones.size(), [&](std::size_t s) {
       Stone& stone = layout.stones[s];
-      stone.outline_mm = moved(stone.outline_mm, pavement, seed, id_of(stone));
+      stone.outline_mm = moved(stone.outline_mm, pavement, bulge, seed, id_of(stone));
     });
   }
   if (variation.missing > 0.0) {

@@ -9,8 +9,8 @@
 namespace shatterpave::paving {
 
 // The layout with each stone larger or smaller, turned and moved as it draws by its id, and without the missing ones, whose ids
-// stay unused. Each corner moves by less than half the joint: faces, which were a joint apart and half a joint from the border,
-// stay apart and within the area.
-StoneLayout varied(StoneLayout layout, const Pavement& pavement, std::uint64_t seed);
+// stay unused. Faces were a joint apart and half a joint from the border, but for sides that stray into the joint by `bulge` of
+// it at most (0 … 0.5). Each corner moves by less than what is left of half the joint: so they stay apart and within the area.
+StoneLayout varied(StoneLayout layout, const Pavement& pavement, double bulge, std::uint64_t seed);
 
 }  // namespace shatterpave::paving

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <utility>
+
+#include "core/disjoint_sets.h"
 
 namespace shatterpave::scene {
 
@@ -17,8 +18,7 @@ using Ends = std::vector<vec2>;
 // Numbers of places, the same for ends that hang together in steps of at most the tolerance.
 class Places {
  public:
-  Places(const Ends& ends, double tolerance_mm) : place_(ends.size()) {
-    std::iota(place_.begin(), place_.end(), std::size_t{0});
+  Places(const Ends& ends, double tolerance_mm) : places_(ends.size()) {
     Cells cells;
     const auto cell_of = [&](vec2 p) { return std::pair{std::llround(p.x / tolerance_mm), std::llround(p.y / tolerance_mm)}; };
     for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -37,7 +37,7 @@ class Places {
     }
   }
 
-  std::size_t operator[](std::size_t end) { return root(end); }
+  std::size_t operator[](std::size_t end) { return places_.of(end); }
 
  private:
   using Cells = std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>>;
@@ -45,16 +45,11 @@ class Places {
   // An end to those of the others that are near.
   void join(std::size_t end, const std::vector<std::size_t>& others, const Ends& ends, double tolerance_mm) {
     for (const std::size_t other : others) {
-      if (glm::distance(ends[end], ends[other]) <= tolerance_mm) place_[root(end)] = root(other);
+      if (glm::distance(ends[end], ends[other]) <= tolerance_mm) places_.join(end, other);
     }
   }
 
-  std::size_t root(std::size_t i) {
-    while (place_[i] != i) i = place_[i] = place_[place_[i]];
-    return i;
-  }
-
-  std::vector<std::size_t> place_;
+  DisjointSets places_;
 };
 
 // The ends at each place of pieces that are left when those that end nowhere are taken away, again and again.

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "paving/bonds/table.h"
 #include "paving/pavement.h"
 #include "scene/toml/toml_table.h"
 
@@ -16,18 +17,19 @@ struct PavementFacts {
   bool is_flight;
 
   bool has(std::string_view key) const { return table.place_of_given(key).has_value(); }
-  // What is laid: a flight is of rows.
-  paving::Bond bond() const {
-    const paving::Bond bond = pavement.bonding.bond;
-    return is_flight && bond != paving::Bond::stack ? paving::Bond::running : bond;
+  // What is laid: a flight is of rows, running ones unless told.
+  const paving::BondType& bond() const {
+    const paving::BondType& type = paving::type_of(pavement);
+    return is_flight && type.bending != paving::Bending::rows ? paving::type_of(paving::Bond::running) : type;
   }
   template <typename Kind>
   bool runs() const {
     return std::holds_alternative<Kind>(pavement.direction);
   }
   bool is_straight() const { return runs<paving::ConstantDirection>(); }
-  bool is_rows() const { return bond() == paving::Bond::running || bond() == paving::Bond::stack; }
-  bool bends() const { return bond() == paving::Bond::packed || is_rows(); }
+  bool is_rows() const { return bond().bending == paving::Bending::rows; }
+  bool is_packed() const { return bond().bending == paving::Bending::packed; }
+  bool bends() const { return bond().bending != paving::Bending::straight; }
   bool has_body() const { return pavement.body.finish != paving::Finish::none; }
 };
 

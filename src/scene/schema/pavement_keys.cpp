@@ -1,5 +1,11 @@
 #include "scene/schema/pavement_keys.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <deque>
+
+#include "paving/bonds/table.h"
 #include "paving/catalogue/stone_sizes.h"
 #include "paving/limits.h"
 #include "scene/schema/outline_rows.h"
@@ -66,17 +72,36 @@ PavementRow::List plan_rows() {
   };
 }
 
+// The bonds that a scene may ask for, from their table.
+std::vector<Word<Bond>> bond_words() {
+  std::vector<Word<Bond>> words;
+  for (const paving::BondType* type : paving::bond_types()) {
+    if (type->is_for_scenes) words.push_back({type->name, type->id});
+  }
+  return words;
+}
+
+// `word`, and the names of the bonds of which that holds; they live as long as the program.
+std::string_view of_bonds(std::string_view word, bool (*is_so)(const paving::BondType&)) {
+  static std::deque<std::string> kept;
+  return kept.emplace_back(fmt::format("{} bond = \"{}\"", word, fmt::join(paving::names_of_bonds(is_so), "\" or \"")));
+}
+
+bool takes_offset(const paving::BondType& type) { return type.takes_offset; }
+bool takes_span(const paving::BondType& type) { return type.takes_span; }
+bool is_packed(const paving::BondType& type) { return type.bending == paving::Bending::packed; }
+
 PavementRow::List bond_rows() {
   return {
-      PavementRow::choice("bond", in(&Pavement::bonding, &Bonding::bond), bond_words, "the rule by which stones are laid"),
+      PavementRow::choice("bond", in(&Pavement::bonding, &Bonding::bond), bond_words(), "the rule by which stones are laid"),
       PavementRow::number("bond_offset", in(&Pavement::bonding, &Bonding::offset), range_of(paving::offset_bounds),
                           "`running`: how far each row moves on, as a part of a stone")
-          .idle([](const PavementFacts& f) { return f.bond() != Bond::running; }, "without bond = \"running\""),
+          .idle([](const PavementFacts& f) { return !takes_offset(f.bond()); }, of_bonds("without", takes_offset)),
       PavementRow::angle("bond_turn_deg", in(&Pavement::bonding, &Bonding::turn), turn_range,
                          "turns the pattern against the rows: 45 for a diagonal herringbone")
           .not_beside("steps")
-          .idle([](const PavementFacts& f) { return f.bond() == Bond::packed && !f.pavement.textures.seamless; },
-                "beside bond = \"packed\"")
+          .idle([](const PavementFacts& f) { return f.is_packed() && !f.pavement.textures.seamless; },
+                of_bonds("beside", is_packed))
           .idle([](const PavementFacts& f) { return !f.is_straight() && f.is_rows(); }, "on rows that follow the direction"),
       PavementRow::point(
           "bond_start_mm", in(&Pavement::bonding, &Bonding::start_mm), coordinate_range,
@@ -84,15 +109,13 @@ PavementRow::List bond_rows() {
           "corner there, with half the joint about it")
           .by_default("the lower left corner of the area's box, turned to the rows")
           .not_beside("steps")
-          .idle([](const PavementFacts& f) { return f.bond() == Bond::packed; }, "beside bond = \"packed\"")
-          .idle([](const PavementFacts& f) { return f.bond() == Bond::ashlar || f.bond() == Bond::crazy; },
-                "on a bond that does not repeat")
+          .idle([](const PavementFacts& f) { return f.is_packed(); }, of_bonds("beside", is_packed))
+          .idle([](const PavementFacts& f) { return f.bond().pattern == nullptr; }, "on a bond that does not repeat")
           .idle([](const PavementFacts& f) { return !f.is_straight() && f.is_rows(); }, "on rows that follow the direction"),
       PavementRow::number("bond_span_mm", in(&Pavement::bonding, &Bonding::span_mm), range_of(paving::span_bounds_mm),
                           "`segmental_arc`, `fan`: width of an arc or a fan, five stones or more")
           .meaning("twelve stones")
-          .idle([](const PavementFacts& f) { return f.bond() != Bond::segmental_arc && f.bond() != Bond::fan; },
-                "without bond = \"segmental_arc\" or \"fan\""),
+          .idle([](const PavementFacts& f) { return !takes_span(f.bond()); }, of_bonds("without", takes_span)),
       PavementRow::choice(
           "border_course", in(&Pavement::border, &Border::course), border_course_words,
           "a course of stones along the outline and holes, about the bond; soldiers stand with their short side to "

@@ -1,11 +1,13 @@
 #include "scene/schema/pavement_section.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
 
 #include "geometry/lattice.h"
+#include "paving/bonds/table.h"
 #include "paving/derived/steps.h"
 #include "paving/limits.h"
 #include "scene/schema/idle_keys.h"
@@ -84,10 +86,10 @@ std::optional<paving::Detail> detail_of(const TomlTable& pavement) {
 
 // Steps make sense of rows alone, and have no border of their own.
 void require_rows(const TomlTable& table, const paving::Pavement& pavement) {
-  using paving::Bond;
-  const Bond bond = pavement.bonding.bond;
-  if (table.has("bond") && bond != Bond::running && bond != Bond::stack) {
-    refuse(table.place("bond"), "running or stack beside steps", "another one");
+  if (table.has("bond") && paving::type_of(pavement).bending != paving::Bending::rows) {
+    const auto rows =
+        paving::names_of_bonds([](const paving::BondType& type) { return type.bending == paving::Bending::rows; });
+    refuse(table.place("bond"), fmt::format("{} beside steps", fmt::join(rows, " or ")), "another one");
   }
   if (pavement.border.course != paving::BorderCourse::none) {
     refuse(table.place("border_course"), "no border_course beside steps", "one");

@@ -44,16 +44,6 @@ inline constexpr auto rounding_words = std::to_array<Word<glass::Rounding>>(
 // Laws for the number of radial cracks, by the variance over the mean.
 inline constexpr auto count_law_words = std::to_array<Word<double>>({{"poisson", 1.0}, {"table1", glass::table_1_dispersion}});
 
-inline constexpr auto bond_words = std::to_array<Word<paving::Bond>>({{"packed", paving::Bond::packed},
-                                                                      {"running", paving::Bond::running},
-                                                                      {"stack", paving::Bond::stack},
-                                                                      {"herringbone", paving::Bond::herringbone},
-                                                                      {"basket_weave", paving::Bond::basket_weave},
-                                                                      {"hexagon", paving::Bond::hexagon},
-                                                                      {"segmental_arc", paving::Bond::segmental_arc},
-                                                                      {"fan", paving::Bond::fan},
-                                                                      {"ashlar", paving::Bond::ashlar},
-                                                                      {"crazy", paving::Bond::crazy}});
 inline constexpr auto border_course_words =
     std::to_array<Word<paving::BorderCourse>>({{"none", paving::BorderCourse::none},
                                                {"soldier", paving::BorderCourse::soldier},

@@ -13,6 +13,7 @@
 
 #include "core/parallel.h"
 #include "geometry/polygon.h"
+#include "geometry/segment_distance.h"
 #include "glass/breaking.h"
 #include "glass/map/crack_paths.h"
 #include "glass/random_panes.h"
@@ -182,7 +183,7 @@ std::vector<int> standing_beside(const FacedPane& faced, const std::vector<bool>
 double nearest_mm(vec2 point, const std::vector<geometry::Segment>& segments) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const geometry::Segment& segment : segments) {
-    nearest = std::min(nearest, distance_to_segment(point, geometry::to_mm(segment.a), geometry::to_mm(segment.b)));
+    nearest = std::min(nearest, geometry::distance_to_segment(point, geometry::to_mm(segment.a), geometry::to_mm(segment.b)));
   }
   return nearest;
 }
@@ -231,7 +232,7 @@ std::size_t walled(const std::vector<vec2>& points, const std::vector<Shard>& sh
       }
       for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
-          if (distance_to_segment(points[i], p[k], p[(k + 1) % 3]) <= reach_mm) has_wall[i] = true;
+          if (geometry::distance_to_segment(points[i], p[k], p[(k + 1) % 3]) <= reach_mm) has_wall[i] = true;
         }
       }
     }
@@ -298,7 +299,7 @@ TEST(JoinedShards, AreBevelledAboutHoles) {
         for (const auto& [at, heights] : levels) {
           double away = std::numeric_limits<double>::infinity();
           for (std::size_t i = 0; i < hole.size(); ++i) {
-            away = std::min(away, distance_to_segment(geometry::to_mm(at), hole[i], hole[(i + 1) % hole.size()]));
+            away = std::min(away, geometry::distance_to_segment(geometry::to_mm(at), hole[i], hole[(i + 1) % hole.size()]));
           }
           if (away > 0.3 && away < 1.3 && !heights.contains(120)) ++chipped;
         }

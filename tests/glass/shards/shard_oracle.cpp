@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/lattice.h"
+#include "geometry/segment_distance.h"
 #include "glass/map/crack_paths.h"
 
 namespace shatterpave::glass {
@@ -34,7 +35,7 @@ struct Side {
 bool on_outline(const Pane& pane, vec2 p) {
   const std::size_t n = pane.outline_mm.size();
   for (std::size_t i = 0; i < n; ++i) {
-    if (distance_to_segment(p, pane.outline_mm[i], pane.outline_mm[(i + 1) % n]) <= on_outline_mm) return true;
+    if (geometry::distance_to_segment(p, pane.outline_mm[i], pane.outline_mm[(i + 1) % n]) <= on_outline_mm) return true;
   }
   return false;
 }
@@ -105,7 +106,7 @@ int nearest_kind(const std::vector<Side>& sides, const Facet& facet) {
     old_mm = broken_mm = 1e300;
     for (const Side& side : sides) {
       double& least = side.is_old ? old_mm : broken_mm;
-      least = std::min(least, distance_to_segment(p, side.a, side.b));
+      least = std::min(least, geometry::distance_to_segment(p, side.a, side.b));
     }
     const int here = old_mm + narrow_mm < 0.7 * broken_mm ? 2 : (broken_mm + narrow_mm < 0.7 * old_mm ? 1 : 0);
     if (kind >= 0 && kind != here) return 0;

@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "geometry/lattice.h"
 #include "geometry/region_index.h"
+#include "paving/bonds/table.h"
 #include "paving/laying.h"
 #include "paving/layout_quality.h"
 #include "paving/paved_areas.h"
@@ -49,7 +50,15 @@ const std::vector<BondCase> every_bond = {
     {"fan", Bond::fan, {90, 90}, 8, 0.98},
     {"ashlar", Bond::ashlar, {140, 140}, 8, 3.2},
     {"crazy", Bond::crazy, {200, 200}, 10, 1.0},
+    {"chevron", Bond::chevron, {300, 90}, 4, 1.0},
 };
+
+TEST(Bonds, AreAllAmongEveryBond) {
+  for (const BondType* type : bond_types()) {
+    if (!type->is_for_scenes || type->bending == Bending::packed) continue;
+    EXPECT_EQ(std::ranges::count(every_bond, Bond(type->id), &BondCase::bond), 1) << std::string_view(type->name);
+  }
+}
 
 // The share of stones below `least_piece`: only where no stone that fits the stock can be made of one and its neighbours.
 double share_of_small(const Pavement& paved, const StoneLayout& layout) {
@@ -292,6 +301,92 @@ TEST(Bonds, JointsInArcsAreNotWedges) {
   EXPECT_LT(worst_wedge(rings, laid_stones(rings, 1)), 0.01);
 }
 
+// Where the ends of whole planks stand along the lines at which rows meet, mm from the last joint: on the near side of a line
+// and on its far side. `depth` is that of a row, `step` what a plank takes of a line.
+struct Ends {
+  std::vector<double> near;
+  std::vector<double> far;
+  std::size_t off_line = 0;  // corners that lie on no line but for half the joint
+};
+
+Ends ends_of(const StoneLayout& layout, double joint_mm, double step, double depth) {
+  Ends ends;
+  for (const Stone& stone : layout.stones) {
+    if (stone.kind != StoneKind::whole) continue;
+    for (const vec2& p : stone.outline_mm) {
+      const double off = p.y - depth * std::round(p.y / depth);
+      if (std::abs(std::abs(off) - 0.5 * joint_mm) > 0.005) ++ends.off_line;
+      (off < 0.0 ? ends.near : ends.far).push_back(p.x - step * std::floor(p.x / step));
+    }
+  }
+  return ends;
+}
+
+// The farthest that any of some places is from the nearest of the others, on a circle of `step`.
+double farthest_apart(const std::vector<double>& some, const std::vector<double>& others, double step) {
+  double farthest = 0.0;
+  for (const double place : some) {
+    double nearest = step;
+    for (const double other : others) nearest = std::min(nearest, std::abs(std::remainder(place - other, step)));
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+TEST(Bonds, ChevronsMeetInStraightLinesJointToJoint) {
+  const double joint = 4.0;
+  const Pavement paved = bonded(Bond::chevron, {300, 90}, joint, rectangle(2500, 2000));
+  StoneLayout layout = laid_stones(paved, 1);
+  EXPECT_LT(worst_wedge(paved, layout), 0.01);
+  std::map<long, int> leaning;
+  for (const Stone& stone : layout.stones) {
+    if (stone.kind != StoneKind::whole) continue;
+    ++leaning[std::lround(stone.angle.degrees())];
+    ASSERT_EQ(stone.outline_mm.size(), 4U);
+    const vec2 axis = stone.angle.direction();
+    int long_sides = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const vec2 side = stone.outline_mm[(i + 1) % 4] - stone.outline_mm[i];
+      const double cosine = std::abs(glm::dot(side, axis)) / glm::length(side);
+      if (cosine < 0.999) {
+        EXPECT_NEAR(cosine, std::sqrt(0.5), 1e-4) << "ends are cut at 45 degrees";
+        EXPECT_NEAR(glm::length(side), 90.0 * std::sqrt(2.0), 0.01);
+      } else {
+        EXPECT_NEAR(glm::length(side), 300.0, 0.01);
+        ++long_sides;
+      }
+    }
+    EXPECT_EQ(long_sides, 2);
+    EXPECT_NEAR(geometry::area(stone.outline_mm), 300.0 * 90.0, 5.0);
+  }
+  EXPECT_GT(leaning[45], 20);
+  EXPECT_GT(leaning[-45], 20);
+  EXPECT_EQ(leaning.size(), 2U);
+  const double step = std::sqrt(2.0) * (90.0 + joint);
+  const double depth = 300.0 / std::sqrt(2.0) + joint;
+  const Ends ends = ends_of(layout, joint, step, depth);
+  EXPECT_EQ(ends.off_line, 0U);
+  EXPECT_LT(farthest_apart(ends.near, ends.far, step), 0.005);
+  // Every second row moved on a little: its joints meet no others.
+  for (Stone& stone : layout.stones) {
+    if (stone.angle > Angle()) continue;
+    for (vec2& p : stone.outline_mm) p.x += 20.0;
+  }
+  const Ends moved = ends_of(layout, joint, step, depth);
+  EXPECT_GT(farthest_apart(moved.near, moved.far, step), 10.0);
+}
+
+TEST(Bonds, ChevronsTurnWithTheirPattern) {
+  for (const double turn : {0.0, 30.0, 90.0}) {
+    Pavement paved = bonded(Bond::chevron, {300, 90}, 0, rectangle(2500, 2000));
+    paved.bonding.turn = Angle::degrees(turn);
+    for (const Stone& stone : laid_stones(paved, 1).stones) {
+      if (stone.kind != StoneKind::whole) continue;
+      EXPECT_NEAR(std::abs(std::remainder(stone.angle.degrees() - turn, 90.0)), 45.0, 1e-9);
+    }
+  }
+}
+
 // Sizes in modules, the longer side first, and how often they occur.
 std::map<std::pair<long, long>, double> sizes_of(const StoneLayout& layout, double pitch, double joint) {
   std::map<std::pair<long, long>, double> counts;
@@ -486,6 +581,7 @@ TEST(Bonds, RefusesShapesThatABondCannotTake) {
   const geometry::Region area = path_area();
   EXPECT_THROW(static_cast<void>(laid_stones(bonded(Bond::herringbone, {100, 200}, 4, area), 1)), InputError);
   EXPECT_THROW(static_cast<void>(laid_stones(bonded(Bond::basket_weave, {100, 200}, 4, area), 1)), InputError);
+  EXPECT_THROW(static_cast<void>(laid_stones(bonded(Bond::chevron, {80, 90}, 4, area), 1)), InputError);
   EXPECT_THROW(static_cast<void>(laid_stones(bonded(Bond::fan, {100, 300}, 4, area), 1)), InputError);
   Pavement narrow = bonded(Bond::segmental_arc, {100, 100}, 4, area);
   narrow.bonding.span_mm = 300;

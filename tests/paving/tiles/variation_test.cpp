@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "geometry/region_index.h"
+#include "paving/bonds/bond.h"
+#include "paving/bonds/table.h"
 #include "paving/laying.h"
 #include "paving/layout_quality.h"
 #include "paving/paved_areas.h"
@@ -17,9 +19,10 @@ Pavement plain(double joint_mm) { return pavement(concave_area(), 100, joint_mm,
 
 TEST(Variation, NeverLetsStonesTouchOrLeaveTheArea) {
   for (const double joint_mm : {0.0, 2.0, 12.0}) {
-    for (const Bond bond : {Bond::packed, Bond::crazy, Bond::fan, Bond::herringbone}) {
+    for (const BondType* type : bond_types()) {
+      if (!type->is_for_scenes) continue;
       Pavement paved = plain(joint_mm);
-      paved.bonding.bond = bond;
+      paved.bonding.bond = type->id;
       paved.variation = {0.3, Angle::degrees(20), 30.0, 5.0, 0.02, {}};
       EXPECT_EQ(faults(paved, laid_stones(paved, 3)).total(), 0U) << joint_mm;
     }
@@ -29,7 +32,7 @@ TEST(Variation, NeverLetsStonesTouchOrLeaveTheArea) {
   const StoneLayout layout = laid_stones(paved, 3);
   paved.joint_mm = 12.0;
   paved.variation.offset_mm = 30.0;
-  const StoneLayout loose = varied(layout, paved, 3);
+  const StoneLayout loose = varied(layout, paved, side_bulge(paved), 3);
   paved.joint_mm = 2.0;
   EXPECT_GT(faults(paved, loose).overlaps, 100U);
 }
@@ -64,7 +67,7 @@ TEST(Variation, NeverLetsStonesTouchWhereRowsBend) {
       paved.stone_mm = stone_mm;
       const StoneLayout layout = laid_stones(paved, 3);
       paved.variation = {0.3, Angle::degrees(20), 30.0, 0.0, 0.0, {}};
-      EXPECT_EQ(faults(paved, varied(layout, paved, 3)).total(), 0U);
+      EXPECT_EQ(faults(paved, varied(layout, paved, side_bulge(paved), 3)).total(), 0U);
       // Each of two neighbours may move by 0.3 of the joint. By half of it, as where rows are straight, would be too much.
       EXPECT_GE(narrowest_joint(layout), 0.6 * paved.joint_mm);
       EXPECT_LT(narrowest_joint(layout), 0.9 * paved.joint_mm);
@@ -77,7 +80,7 @@ TEST(Variation, EachKindMovesStonesAsAsked) {
   const auto changed = [&](const Variation& variation) {
     Pavement paved = plain(20.0);
     paved.variation = variation;
-    return varied(layout, paved, 3);
+    return varied(layout, paved, side_bulge(paved), 3);
   };
   const StoneLayout sized = changed({0.04, {}, 0.0, 0.0, 0.0, {}});
   const StoneLayout turned = changed({0.0, Angle::degrees(3), 0.0, 0.0, 0.0, {}});

@@ -1,103 +1,18 @@
-// Setts in arcs. The arcs are drawn with one corner wherever a perpend ends on them, on either side; stones taper and bend by
-// what the arc asks for, so that the joints are as wide at one end as at the other.
+// Setts in rings about the feet of fans, which overlap like scales. stone_mm = [a, b]: mean along a ring, and depth of a ring.
+// As in segmental arcs, lines are drawn with one corner wherever a perpend ends on them, and joints are as wide at one end as
+// at the other.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/functions.h"
 #include "paving/bonds/course_line.h"
-#include "paving/bonds/patterns.h"
+#include "paving/bonds/setts.h"
+#include "paving/bonds/table.h"
+#include "paving/bonds/usual.h"
 
 namespace shatterpave::paving {
 
 namespace {
-
-constexpr double same_place_mm = 0.01;
-
-// ---- segmental arc
-
-// Rise over span. Arcs behind one another are copies, so their distance falls from a pitch in the middle to its cosine at the
-// foot; with a sixth (a foot of 36.9°) to 0.8, which setts sorted 8 to 10 cm (EN 1342) give.
-constexpr double rise = 1.0 / 6.0;
-
-class SegmentalArc {
- public:
-  // The foot of course `number` is at v = number · pitch.y.
-  SegmentalArc(vec2 pitch, double span_mm)
-      : depth_(pitch.y),
-        half_(0.5 * span_mm),
-        radius_(span_mm * (1.0 + 4.0 * rise * rise) / (8.0 * rise)),
-        foot_(0.5 * pi - arccosine(half_ / radius_)) {
-    // Stones of one width w but for the two at the ends: 1.25 w in one course, 0.75 w in the next, which has one more. So
-    // each course is half a stone off the last, and none begins with half a stone.
-    const double length = 2.0 * radius_ * foot_;
-    const double inner = std::max(1.0, std::round(length / pitch.x - 0.5));
-    const double step = 2.0 * foot_ / (inner + 0.5);
-    for (const int course : {0, 1}) {
-      const int perpends = static_cast<int>(inner) - 1 + course;
-      for (int i = 0; i < perpends; ++i) {
-        perpends_[static_cast<std::size_t>(course)].push_back(-foot_ + (1.25 - 0.5 * course + i) * step);
-      }
-    }
-  }
-
-  std::vector<Tile> tiles() const {
-    std::vector<Tile> result;
-    for (const std::size_t course : {std::size_t{0}, std::size_t{1}}) {
-      const CourseLine low = line_below(course);
-      const CourseLine high = line_below(1 - course);
-      const auto& at = perpends_[course];
-      for (std::size_t i = 0; i <= at.size(); ++i) {
-        const double from = i == 0 ? -foot_ : at[i - 1];
-        const double to = i == at.size() ? foot_ : at[i];
-        const auto on = [&](std::size_t line) { return [this, line](double u) { return point(u, line); }; };
-        Tile tile{{point(below(from), course)}, Angle::radians(-0.5 * (from + to)).direction()};
-        low.append_between(below(from), below(to), on(course), tile.outline_mm);
-        tile.outline_mm.push_back(point(below(to), course));
-        tile.outline_mm.push_back(point(above(to), course + 1));
-        high.append_between(above(to), above(from), on(course + 1), tile.outline_mm);
-        tile.outline_mm.push_back(point(above(from), course + 1));
-        result.push_back(std::move(tile));
-      }
-    }
-    return result;
-  }
-
- private:
-  bool is_foot(double angle) const { return std::abs(angle) == foot_; }
-
-  // u where the perpend at `angle` from v, which crosses the middle of its course at right angles, ends on the arc below the
-  // course, or above it. With the middle arc about the origin the arc below is about (0, −depth / 2).
-  double end(double angle, double half_depth) const {
-    if (is_foot(angle)) return half_ + std::copysign(half_, angle);
-    const double s = half_depth * sine(angle);
-    return half_ + sine(angle) * (half_depth * cosine(angle) + std::sqrt(radius_ * radius_ - s * s));
-  }
-  double below(double angle) const { return end(angle, -0.5 * depth_); }
-  double above(double angle) const { return end(angle, 0.5 * depth_); }
-
-  // The arc below course `line`, 0 … 2.
-  vec2 point(double u, std::size_t line) const {
-    const double d = u - half_;
-    const double height = std::sqrt(radius_ * radius_ - d * d) - std::sqrt(radius_ * radius_ - half_ * half_);
-    return {u, height + static_cast<double>(line) * depth_};
-  }
-
-  CourseLine line_below(std::size_t course) const {
-    std::vector<double> stops;
-    for (const double angle : perpends_[course]) stops.push_back(below(angle));
-    for (const double angle : perpends_[1 - course]) stops.push_back(above(angle));
-    return {std::move(stops), same_place_mm};
-  }
-
-  double depth_;
-  double half_;
-  double radius_;
-  double foot_;                                    // angle of the arc's end from its middle, radians
-  std::array<std::vector<double>, 2> perpends_{};  // of even and odd courses: angles from v to the right, ascending
-};
-
-// ---- fan
 
 // A fan opens from its foot between the backs of two others, and ends in an arc about its foot. The backs are arcs of the same
 // radius R about their own feet, at (±√3/2 R, −R/2): so feet, backs and rings all fit, and the fans leave nothing between them.
@@ -198,14 +113,34 @@ class Fan {
   std::vector<CourseLine> lines_;
 };
 
+// Fans of one span, which open towards +v.
+Pattern fan_pattern(const Pavement& pavement) {
+  const double span = span_mm(pavement);
+  return {{span, 0.5 * span / std::sqrt(3.0)}, 0.5, Fan(pitch_mm(pavement), span).tiles()};
+}
+
 }  // namespace
 
-Pattern segmental_arc_pattern(vec2 pitch, double span_mm) {
-  return {{span_mm, 2.0 * pitch.y}, 0.0, SegmentalArc(pitch, span_mm).tiles()};
-}
-
-Pattern fan_pattern(vec2 pitch, double span_mm) {
-  return {{span_mm, 0.5 * span_mm / std::sqrt(3.0)}, 0.5, Fan(pitch, span_mm).tiles()};
-}
+extern constinit const BondType fan_bond{
+    .id = Bond::fan,
+    .name = "fan",
+    .sentence = "setts in rings that fill fans, one behind the other like scales",
+    .stone_words = "along and across a ring, in the mean",
+    .stock_words = largest_of_pattern,
+    .is_for_scenes = true,
+    .bending = Bending::straight,
+    .drawing = Drawing::never,
+    .shapes = sett_shapes,
+    .takes_offset = false,
+    .takes_span = true,
+    .has_square_stones = false,
+    .has_stones_of_a_size = false,
+    .pattern_turn = Angle(),
+    .mean_area_mm2 = pitch_area_mm2,
+    .whole_face_mm2 = stone_face_mm2,
+    .stock = pattern_stock,
+    .pattern = fan_pattern,
+    .tiles = pattern_tiles,
+};
 
 }  // namespace shatterpave::paving

@@ -24,7 +24,7 @@ TEST(DisjointSets, AreKnownByTheirLeastMemberWhateverTheOrder) {
       const std::size_t a = draw(0);
       const std::size_t b = draw(1);
       sets.join(a, b);
-      const auto [low, high] = std::minmax(std::size_t{least[a]}, std::size_t{least[b]});
+      const auto [low, high] = std::minmax({least[a], least[b]});
       std::ranges::replace(least, high, low);
       const DisjointSets& seen = sets;
       for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(seen.of(i), least[i]) << seed << ", step " << step;

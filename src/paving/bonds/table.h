@@ -16,7 +16,6 @@
 #include <limits>
 #include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/angle.h"
@@ -33,8 +32,8 @@ template <typename T>
 class Given {
  public:
   template <typename U>
-  requires std::convertible_to<U, T>
-  constexpr Given(U&& value) : value_(std::forward<U>(value)) {}
+  requires std::convertible_to<const U&, T>
+  constexpr Given(const U& value) : value_(value) {}
   constexpr operator T() const { return value_; }
 
  private:

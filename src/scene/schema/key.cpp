@@ -39,9 +39,12 @@ std::string number_text(double value) {
   if (negative) text.erase(0, 1);
   const std::size_t digits = std::min(text.find('.'), text.size());
   if (digits > 4 && text.find('e') == std::string::npos) {
-    for (std::size_t at = digits; at > 3; at -= 3) text.insert(at - 3, at - 3 > 0 ? "," : "");
+    for (std::size_t at = digits; at > 3;) {
+      at -= 3;
+      if (at > 0) text.insert(at, 1, ',');
+    }
   }
-  return (negative ? "−" : "") + text;
+  return negative ? fmt::format("−{}", text) : text;
 }
 
 }  // namespace shatterpave::scene

@@ -1,7 +1,5 @@
 #include "cli/export_job.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -37,24 +35,6 @@ void append_without_rasters(const exporting::Model& model, Target target, export
   }
 }
 
-namespace {
-
-// Each set of files, which takes long, says that it is being written.
-void report_sets(exporting::Outputs& outputs, const Progress& progress) {
-  const double count = static_cast<double>(outputs.sets.size());
-  for (std::size_t i = 0; i < outputs.sets.size(); ++i) {
-    exporting::FileSet& set = outputs.sets[i];
-    const std::string what = fmt::format("writing {} …", set.names.empty() ? std::string() : set.names.front());
-    set.write = [write = std::move(set.write), what, done = static_cast<double>(i) / count,
-                 progress](const std::string& folder) {
-      progress(what, done);
-      write(folder);
-    };
-  }
-}
-
-}  // namespace
-
 void export_scene(const Export& job, const AppendTarget& append_target) {
   const ThreadLimit limit(job.threads);
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
@@ -70,7 +50,7 @@ void export_scene(const Export& job, const AppendTarget& append_target) {
     const exporting::Model model = pipeline::generated(scene, progress);
     exporting::Outputs outputs;
     for (const Target target : job.targets) append_target(model, target, outputs);
-    report_sets(outputs, progress);
+    pipeline::report_sets(outputs, progress);
     const SignalNotes notes;
     published = pipeline::written_outputs(outputs, edition, job.output, SignalNotes::received);
     empty = pipeline::emptiness(scene, model);

@@ -26,7 +26,7 @@ string(JOIN "|" shatterpave_slow_tests
   # scene
   "^Fuzz[.]" "^GeoJsonFile[.]Crs" "^Svg[.]UseCannot" "^ReferenceSystem[.]"
   # the command, and the library as a whole
-  "^Command[.]" "^Face.*(Slow|Threads)")
+  "^Command[.]" "^Face.*(Slow|Threads)" "^FaceModel[.]Stones")
 
 # shatterpave_label(TEST PROGRAM LABEL): sets the variable LABEL to that of the test, of a program of tests or of none.
 function(shatterpave_label test program label)
@@ -44,7 +44,8 @@ function(shatterpave_label test program label)
   endif()
 endfunction()
 
-# In ctest: the lists that gtest_discover_tests leaves.
+# In ctest: the lists that gtest_discover_tests leaves. Tests with a square bracket in their name are in none of them, and keep
+# the label that they were given first, that of most tests of their program.
 foreach(program IN ITEMS shatterpave_tests shatterpave_image_tests)
   foreach(test IN LISTS ${program}_TESTS)
     shatterpave_label("${test}" ${program} label)

@@ -56,7 +56,10 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& b
 }
 
 void within_arena(int threads, const std::function<void()>& work) {
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  // oneTBB would write a warning to the terminal where more are asked for than it has.
+  const std::size_t most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(threads > 0 ? static_cast<int>(std::min(most, static_cast<std::size_t>(threads)))
+                                    : tbb::task_arena::automatic);
   arena.execute(work);
 }
 

@@ -134,6 +134,7 @@ Written write_files(const Model& model, const std::vector<File>& files, const fs
   face::work_with(options, [&](const Progress& /*progress*/, const Cancelled& cancelled) {
     const exporting::Model& inner = ModelAccess::model(model);
     std::vector<exporting::OutputFile> outputs;
+    outputs.reserve(files.size());
     for (const File& file : files) outputs.push_back({file.name, file.content});
     const pipeline::Edition edition =
         pipeline::edition_of(inner.name, inner.fingerprint, std::string(own_set) + std::string(maker));

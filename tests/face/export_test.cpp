@@ -112,7 +112,7 @@ TEST_F(FaceExport, RefusesNamesThatAreNoneOfFiles) {
   }
   EXPECT_THROW(write_files(model, {{std::string(300, 'a'), ""}}, folder_, "tables"), InputError);
   EXPECT_THROW(write_files(model, {{"a", ""}, {"a", "b"}}, folder_, "tables"), InputError);
-  for (const std::string maker : {std::string(), std::string("a\n"), std::string("\xff"), std::string(65, 'a')}) {
+  for (const std::string& maker : {std::string(), std::string("a\n"), std::string("\xff"), std::string(65, 'a')}) {
     EXPECT_THROW(write_files(model, {{"a", ""}}, folder_, maker), InputError) << maker;
   }
   EXPECT_TRUE(names_in(folder_).empty());

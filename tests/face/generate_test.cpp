@@ -72,10 +72,10 @@ TEST(FaceGenerate, IsTheSameInAnyLocale) {
   scene.set("pane.window.thickness_mm", 4.5);
   EXPECT_EQ(Value(1234.5).toml(), "1234.5");
   EXPECT_EQ(Value(1234567).toml(), "1234567");
-  const double thickness_mm = generate(scene).panes().at(0).thickness_mm;
+  const Model thick = generate(scene);
   std::locale::global(before);
   EXPECT_EQ(there, here);
-  EXPECT_EQ(thickness_mm, 4.5);
+  EXPECT_EQ(thick.panes().at(0).thickness_mm, 4.5);
 }
 
 // Each call has its own options: that one is stopped does not show in the others.

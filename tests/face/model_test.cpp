@@ -43,7 +43,7 @@ TEST(FaceModel, HoldsTheCracksOfTheFiles) {
     EXPECT_EQ(line["points_mm"], list_of(crack.points_mm));
     EXPECT_EQ(line["start"]["at"], name_of(crack.start.at));
     EXPECT_EQ(line["end"]["at"], name_of(crack.end.at));
-    if (crack.end.crack) EXPECT_EQ(line["end"]["crack"], *crack.end.crack);
+    EXPECT_EQ(line["end"].value("crack", -1), crack.end.crack.value_or(-1));
   }
 }
 
@@ -97,7 +97,7 @@ TEST(FaceModelSlow, ShardsAreClosedSolidsOfGlassOldAndBroken) {
   scene.set("pane.window.shards.enabled", true);
   const Model model = generate(scene);
   const Pane& pane = model.panes().at(0);
-  ASSERT_GT(pane.shards.size(), 5U);
+  ASSERT_GT(pane.shards.size(), 8U);
   double volume = 0.0;
   std::set<ShardState> states;
   for (std::size_t s = 0; s < pane.shards.size(); ++s) {
@@ -160,7 +160,7 @@ TEST(FaceModel, StonesAreSurfacesOverTheirOutlines) {
 TEST(FaceModel, StonesLieOnTheFallingGround) {
   Scene scene = small_yard();
   const StoneMesh level = generate(scene).stone_mesh(0, 3);
-  scene.set("pavement.court.ground", Value::parsed("{fall_percent = 4, fall_direction_deg = 0, level_mm = 30}"));
+  scene.set("pavement.court.ground", Value::parsed("{fall_percent = 4, fall_deg = 0, level_mm = 30}"));
   const StoneMesh falling = generate(scene).stone_mesh(0, 3);
   ASSERT_EQ(falling.triangles, level.triangles);
   for (std::size_t i = 0; i < level.vertices_mm.size(); ++i) {

@@ -15,7 +15,8 @@ inline Scene small_pane() {
   Scene scene("pane");
   scene.set("seed", 3);
   scene.add_pane("window", {{0, 0}, {300, 0}, {300, 200}, {0, 200}});
-  scene.set(scene.add_impact("window", {150, 100}) + ".radial_count", 12);
+  const std::string impact = scene.add_impact("window", {150, 100});
+  scene.set(impact + ".radial_count", 12).set(impact + ".large_count", 9).set(impact + ".circular_count", 4);
   return scene;
 }
 

@@ -44,8 +44,7 @@ function(shatterpave_label test program label)
   endif()
 endfunction()
 
-# In ctest: the lists that gtest_discover_tests leaves. Tests with a square bracket in their name are in none of them, and keep
-# the label that they were given first, that of most tests of their program.
+# In ctest: the lists that gtest_discover_tests leaves. (Tests with a square bracket in their names would be in none of them.)
 foreach(program IN ITEMS shatterpave_tests shatterpave_image_tests)
   foreach(test IN LISTS ${program}_TESTS)
     shatterpave_label("${test}" ${program} label)

@@ -13,7 +13,7 @@ rules=$(awk -F'|' '
 [[ -n $rules ]] || { echo "docs/architecture.md: no table of rooms found" >&2; exit 1; }
 
 # shellcheck disable=SC2016  # A backquote of the table, no expansion.
-find src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk -v rules="$rules" '
+find include src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk -v rules="$rules" '
   BEGIN {
     count = split(rules, line, "\n")
     for (i = 1; i <= count; ++i) {
@@ -51,6 +51,15 @@ find src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk -v rules
     split(code, quoted, "\"")
     if (room_of(quoted[2]) == "") wrong("\"" quoted[2] "\" is in no room")
     else if (!may_include(room, quoted[2])) wrong(room " may not include " quoted[2])
+  }
+  # Public headers use the standard library, whose headers have neither a folder nor an ending, and one another.
+  path[1] == "include" && code ~ /^[ \t]*#[ \t]*include/ && code !~ /include[ \t]*<([a-z_0-9]+|shatterpave\/[a-z_]+[.]h)>/ {
+    wrong("public headers include nothing but the standard library and one another")
+  }
+  # Rooms are not made of the face: they share its words for errors, and the version.
+  product && code ~ /^[ \t]*#[ \t]*include[ \t]*[<"]shatterpave\// && big_room != "face" &&
+      code !~ /<shatterpave\/(error|version)[.]h>/ {
+    wrong("of the public headers rooms include shatterpave/error.h and shatterpave/version.h alone")
   }
   /^[ \t]*#[ \t]*include[ \t]*[<"]glm\// && FILENAME != "src/core/vec.h" { wrong("GLM is included in core/vec.h alone") }
   product && FILENAME != "src/core/parallel.cpp" &&

@@ -32,7 +32,7 @@ trap 'rm -rf "$scratch"' EXIT
 git -C "$root" archive HEAD | tar -x -C "$scratch"
 launcher=()
 if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-quietly cmake -S "$scratch" -B "$scratch/build" -DCMAKE_BUILD_TYPE=Release "${launcher[@]}"
+quietly cmake -S "$scratch" -B "$scratch/build" -DCMAKE_BUILD_TYPE=Release -DSHATTERPAVE_TESTS=ON "${launcher[@]}"
 
 trim() { sed 's/^ *//; s/ *$//' <<<"$1"; }
 

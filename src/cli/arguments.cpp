@@ -1,6 +1,7 @@
 #include "cli/arguments.h"
 
 #include <fmt/format.h>
+#include <shatterpave/version.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

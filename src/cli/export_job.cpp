@@ -1,7 +1,5 @@
 #include "cli/export_job.h"
 
-#include <fmt/format.h>
-
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,24 +19,6 @@ void require_for_targets(const scene::Scene& scene, const Targets& targets) {
   for (const exporting::Target* target : targets) pipeline::require_possible_for(*target, scene);
 }
 
-namespace {
-
-// Each set of files, which takes long, says that it is being written.
-void report_sets(exporting::Outputs& outputs, const Progress& progress) {
-  const double count = static_cast<double>(outputs.sets.size());
-  for (std::size_t i = 0; i < outputs.sets.size(); ++i) {
-    exporting::FileSet& set = outputs.sets[i];
-    const std::string what = fmt::format("writing {} …", set.names.empty() ? std::string() : set.names.front());
-    set.write = [write = std::move(set.write), what, done = static_cast<double>(i) / count,
-                 progress](const std::string& folder) {
-      progress(what, done);
-      write(folder);
-    };
-  }
-}
-
-}  // namespace
-
 void export_scene(const Export& job, const AppendTarget& append) {
   const ThreadLimit limit(job.threads);
   const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
@@ -54,7 +34,7 @@ void export_scene(const Export& job, const AppendTarget& append) {
     const exporting::Model model = pipeline::generated(scene, progress);
     exporting::Outputs outputs;
     for (const exporting::Target* target : job.targets) append(*target, model, outputs);
-    report_sets(outputs, progress);
+    pipeline::report_sets(outputs, progress);
     const SignalNotes notes;
     published = pipeline::written_outputs(outputs, edition, job.output, SignalNotes::received);
     empty = pipeline::emptiness(scene, model);

@@ -7,15 +7,12 @@
 #include <vector>
 
 #include "cli/terminal.h"
-#include "core/sha256.h"
+#include "pipeline/edition.h"
 
 namespace shatterpave::cli {
 
 pipeline::Edition edition_of(const scene::Scene& scene, const std::string& kind) {
-  Sha256 hash;
-  hash.add_text(SHATTERPAVE_VERSION);
-  hash.add_text(scene.fingerprint);
-  return {scene.name, kind, hash.sum()};
+  return pipeline::edition_of(scene.name, scene.fingerprint, kind);
 }
 
 void report(const pipeline::Published& published, const pipeline::Edition& edition, const std::filesystem::path& output) {

@@ -1,23 +1,27 @@
 #include "core/cancel.h"
 
-#include <atomic>
 #include <utility>
 
 namespace shatterpave {
 
 namespace {
 
-std::atomic<const Cancelled*> current{nullptr};
+thread_local const Cancelled* current = nullptr;
 
 }  // namespace
 
-CancelScope::CancelScope(Cancelled cancelled) : cancelled_(std::move(cancelled)), outer_(current.exchange(&cancelled_)) {}
+CancelScope::CancelScope(Cancelled cancelled) : cancelled_(std::move(cancelled)), outer_(std::exchange(current, &cancelled_)) {}
 
 CancelScope::~CancelScope() { current = outer_; }
 
 void stop_if_cancelled() {
-  const Cancelled* const cancelled = current;
-  if (cancelled != nullptr && *cancelled && (*cancelled)()) throw Interrupted();
+  if (current != nullptr && *current && (*current)()) throw Interrupted();
 }
+
+const Cancelled* current_cancelled() { return current; }
+
+CancelHandOver::CancelHandOver(const Cancelled* cancelled) : own_(std::exchange(current, cancelled)) {}
+
+CancelHandOver::~CancelHandOver() { current = own_; }
 
 }  // namespace shatterpave

@@ -1,4 +1,4 @@
-// What the reader of an input should be told although nothing is wrong enough to refuse it.
+// What the reader of an input should be told although nothing is wrong enough to refuse it: Note, of shatterpave/error.h.
 #pragma once
 
 #include <string>
@@ -7,14 +7,6 @@
 #include "core/error.h"
 
 namespace shatterpave {
-
-// `what` is a sentence without a full stop, in lower case, about what stands at `place`.
-struct Note {
-  Place place;
-  std::string what;
-
-  bool operator==(const Note&) const = default;
-};
 
 // `message` after the parts of its place that are known: `file:line:column: key: message`.
 std::string located(const Place& place, const std::string& message);

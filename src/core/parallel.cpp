@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -46,10 +47,20 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& b
   if (failure) std::rethrow_exception(failure);
 }
 
+void within_arena(int /*threads*/, const std::function<void()>& work) { work(); }
+
 #else
 
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& body) {
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { body(i); });
+}
+
+void within_arena(int threads, const std::function<void()>& work) {
+  // oneTBB would write a warning to the terminal where more are asked for than it has.
+  const std::size_t most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(threads > 0 ? static_cast<int>(std::min(most, static_cast<std::size_t>(threads)))
+                                    : tbb::task_arena::automatic);
+  arena.execute(work);
 }
 
 #endif
@@ -63,8 +74,16 @@ ThreadLimit::ThreadLimit(int threads)
 
 ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
 
+void with_threads(int threads, const std::function<void()>& work) {
+  within_arena(threads, [&, cancelled = current_cancelled()] {
+    const CancelHandOver hand_over(cancelled);
+    work();
+  });
+}
+
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
-  for_each_index(count, [&](std::size_t i) {
+  for_each_index(count, [&, cancelled = current_cancelled()](std::size_t i) {
+    const CancelHandOver hand_over(cancelled);
     stop_if_cancelled();
     body(i);
   });

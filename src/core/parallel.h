@@ -20,6 +20,10 @@ class ThreadLimit {
   void* control_;
 };
 
+// Does `work`, whose every `parallel_for` takes at most that many threads, and at most those that there are; 0 takes all
+// processors. Unlike with a ThreadLimit, other threads of the program have their own. An exception of `work` is thrown here.
+void with_threads(int threads, const std::function<void()>& work);
+
 // Calls `body(i)` for every i in [0, count), in any order, on any thread. `body` may write only to slots of its own i.
 // An exception of a call is thrown here. Throws Interrupted, between calls, where a CancelScope says so (core/cancel.h).
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);

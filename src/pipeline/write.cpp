@@ -95,6 +95,20 @@ std::string sum_of(const fs::path& file) {
   }
 }
 
+void report_sets(exporting::Outputs& outputs, const Progress& progress) {
+  if (!progress) return;
+  const double count = static_cast<double>(outputs.sets.size());
+  for (std::size_t i = 0; i < outputs.sets.size(); ++i) {
+    exporting::FileSet& set = outputs.sets[i];
+    const std::string what = fmt::format("writing {} …", set.names.empty() ? std::string() : set.names.front());
+    set.write = [write = std::move(set.write), what, done = static_cast<double>(i) / count,
+                 progress](const std::string& folder) {
+      progress(what, done);
+      write(folder);
+    };
+  }
+}
+
 Published written_outputs(const exporting::Outputs& outputs, const Edition& edition, const fs::path& output,
                           const Cancelled& cancelled) {
   require_output_folder(output);

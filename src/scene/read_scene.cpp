@@ -4,9 +4,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <limits>
+#include <locale>
 #include <sstream>
 
 #include "core/sha256.h"
+#include "scene/draft.h"
 #include "scene/input_file.h"
 #include "scene/schema/idle_keys.h"
 #include "scene/schema/pane_section.h"
@@ -80,6 +83,7 @@ Still still_of(const TomlTable& root) {
 // What the scene says and its plans hold: not how its file is laid out, nor where it lies.
 std::string fingerprint_of(const toml::table& table, const Plans& plans) {
   std::ostringstream said;
+  said.imbue(std::locale::classic());  // a program that uses the library may have another one
   said << toml::json_formatter(table);
   Sha256 hash;
   hash.add_text(said.str());
@@ -108,10 +112,55 @@ Scene scene_of_table(const toml::table& table, const std::filesystem::path& file
 
 }  // namespace
 
+struct Draft::Table {
+  toml::table root;
+};
+
+Draft::Draft(std::string_view text, const std::filesystem::path& file) : text_(text), file_(file), table_(made()) {}
+Draft::~Draft() = default;
+Draft::Draft(const Draft& other) : text_(other.text_), file_(other.file_), changes_(other.changes_), table_(made()) {}
+Draft& Draft::operator=(const Draft& other) { return *this = Draft(other); }
+Draft::Draft(Draft&& other) noexcept = default;
+Draft& Draft::operator=(Draft&& other) noexcept = default;
+
+std::string Draft::name() const { return scene_name(file_); }
+
+std::unique_ptr<Draft::Table> Draft::made() const {
+  auto table = std::make_unique<Table>(Table{parsed(text_, file_.string())});
+  for (const Change& change : changes_) {
+    if (change.appends) {
+      append_table(change.given, table->root);
+    } else {
+      scene::apply(change.given, table->root);
+    }
+  }
+  return table;
+}
+
+std::string Draft::apply(const Change& change) {
+  changes_.push_back(change);
+  try {
+    if (change.appends) return append_table(change.given, table_->root);
+    scene::apply(change.given, table_->root);
+    return {};
+  } catch (...) {
+    // Tables on the way may have been made.
+    changes_.pop_back();
+    table_ = made();
+    throw;
+  }
+}
+
+void Draft::set(const Override& change) { apply({change, false}); }
+
+std::string Draft::append(const Override& change) { return apply({change, true}); }
+
+Scene Draft::scene() const { return scene_of_table(table_->root, file_); }
+
 Scene scene_of_text(std::string_view text, const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  toml::table table = parsed(text, file.string());
-  for (const Override& change : overrides) apply(change, table);
-  return scene_of_table(table, file);
+  Draft draft(text, file);
+  for (const Override& change : overrides) draft.set(change);
+  return draft.scene();
 }
 
 Scene scene_of_file(const std::filesystem::path& file, const std::vector<Override>& overrides) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -59,6 +60,49 @@ TEST(ParallelFor, StopsWhereItIsAskedTo) {
   calls = 0;
   work();
   EXPECT_EQ(calls, 1000000);
+}
+
+// Each thread is asked by its own scope, whichever began and ended first.
+TEST(ParallelFor, ScopesOfSeveralThreadsKnowNothingOfOneAnother) {
+  std::atomic<int> stopped = 0;
+  std::atomic<int> done = 0;
+  {
+    std::vector<std::jthread> callers;
+    for (int caller = 0; caller < 8; ++caller) {
+      callers.emplace_back([&, caller] {
+        for (int repeat = 0; repeat < 50; ++repeat) {
+          const CancelScope scope([caller] { return caller % 2 == 0; });
+          try {
+            with_threads(caller % 3, [] { parallel_for(100, [](std::size_t) { parallel_for(10, [](std::size_t) {}); }); });
+            ++done;
+          } catch (const Interrupted&) {
+            ++stopped;
+          }
+        }
+      });
+    }
+  }
+  EXPECT_EQ(stopped, 200);
+  EXPECT_EQ(done, 200);
+}
+
+TEST(ThreadLimit, OfOneCallIsItsOwn) {
+  for (const int threads : {1, 2, 3}) {
+    std::atomic<int> now = 0;
+    std::atomic<int> most = 0;
+    with_threads(threads, [&] {
+      parallel_for(200, [&](std::size_t) {
+        const int here = ++now;
+        int seen = most;
+        while (seen < here && !most.compare_exchange_weak(seen, here)) {
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+        --now;
+      });
+    });
+    EXPECT_LE(most, threads);
+  }
+  EXPECT_THROW(with_threads(2, [] { throw std::out_of_range("57"); }), std::out_of_range);
 }
 
 TEST(ParallelFor, ResultDoesNotShowTheNumberOfThreads) {

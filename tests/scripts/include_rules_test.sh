@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 "$rules" "$root"
 
 mkdir -p "$scratch"/docs "$scratch"/src/glass/{growth,dicing} "$scratch"/src/paving/{bonds,packing,attic} \
-  "$scratch"/src/export/{obj,svg} "$scratch"/tests
+  "$scratch"/src/export/{obj,svg} "$scratch"/src/{core,face,cli} "$scratch"/include/shatterpave "$scratch"/tests
 cp "$root/docs/architecture.md" "$scratch/docs/"
 
 # expect STATUS FILE LINE: a project whose only file is FILE, holding LINE.
@@ -47,6 +47,18 @@ expect 1 src/glass/growth/growth.cpp 'const double x = std::sin(angle);'
 expect 1 src/glass/growth/growth.cpp 'return 2 * pow(a, b);'
 expect 1 src/glass/growth/growth.cpp 'std::normal_distribution<double> law;'
 expect 1 src/glass/growth/growth.cpp 'std::cerr << "no";'
+# The public face.
+expect 0 include/shatterpave/scene.h '#include <string_view>'
+expect 0 include/shatterpave/scene.h '#include <shatterpave/geometry.h>'
+expect 1 include/shatterpave/scene.h '#include "scene/scene.h"'
+expect 1 include/shatterpave/scene.h '#include <fmt/format.h>'
+expect 1 include/shatterpave/scene.h '#include <stdlib.h>'
+expect 0 src/core/error.h '#include <shatterpave/error.h>'
+expect 1 src/core/error.h '#include <shatterpave/scene.h>'
+expect 1 src/cli/main.cpp '#include <shatterpave/generate.h>'
+expect 0 src/face/scene.cpp '#include <shatterpave/scene.h>'
+expect 0 src/face/scene.cpp '#include "scene/scene.h"'
+expect 1 src/cli/main.cpp '#include "face/scene_access.h"'
 # The deepest folder counts: two rooms of one big room know of each other what the table says.
 expect 0 src/paving/bonds/fan.cpp '#include "paving/tiles/tiling.h"'
 expect 0 src/paving/laying.cpp '#include "paving/bonds/bond.h"'

@@ -48,11 +48,6 @@ void append_prism(std::string& text, const paving::Pavement& pavement, const std
   text += "\n" + last + "}\n";
 }
 
-// Rise per mm along x and y.
-vec2 fall(const paving::Ground& ground) {
-  return ground.fall_percent == 0.0 ? vec2{0.0, 0.0} : -0.01 * ground.fall_percent * ground.fall_direction.direction();
-}
-
 // ---- sunken ground
 
 // Squares of the surface of a sunken bed to a hollow, and the most of them along a side of the pavement.
@@ -101,7 +96,7 @@ void append_bounds(std::string& text, const std::string& prefix, const paving::P
   text += fmt::format("#declare {}_Bed_Level = {};\n#declare {}_Top = {};\n", prefix, rounded(paving::bed_level_mm(pavement)),
                       prefix, rounded(paving::top_mm(pavement)));
   text += fmt::format("#declare {}_Stone_Size = {};\n", prefix, rounded(stone_size_mm));
-  const vec2 slope = fall(pavement.ground);
+  const vec2 slope = paving::fall(pavement.ground);
   const double level = pavement.ground.level_mm;
   const auto least = [&](bool most) {
     const auto end = [&](double s, double low, double high) { return s * ((s > 0.0) == most ? high : low); };
@@ -149,7 +144,7 @@ std::string water_text(const paving::Pavement& pavement, const std::string& pref
 }
 
 std::string ground_transform(const paving::Pavement& pavement) {
-  const vec2 slope = fall(pavement.ground);
+  const vec2 slope = paving::fall(pavement.ground);
   if (slope == vec2{0.0, 0.0} && pavement.ground.level_mm == 0.0) return {};
   return fmt::format("   matrix <1, {}, 0, 0, 1, 0, 0, {}, 1, 0, {}, 0>\n", slope.x, slope.y, pavement.ground.level_mm);
 }

@@ -127,11 +127,6 @@ Placing lying_at(vec2 centre, double height_mm, Angle angle) {
   return {{vec3{d.x, 0.0, d.y}, vec3{0.0, 1.0, 0.0}, vec3{-d.y, 0.0, d.x}}, lying({centre.x, centre.y, height_mm})};
 }
 
-// Rise per mm along x and y.
-vec2 fall(const paving::Ground& ground) {
-  return ground.fall_percent == 0.0 ? vec2{0.0, 0.0} : -0.01 * ground.fall_percent * ground.fall_direction.direction();
-}
-
 // How many stones are alike is found by their corners: within this they are the same.
 constexpr double alike_mm = 0.005;
 // Shapes that are looked at; a bond has fewer, and where stones are all different none is found again.
@@ -145,7 +140,7 @@ class StoneBodies {
         first_material_(first_material),
         surface_(paved.pavement, paved.layout.stones, seed),
         places_(texture_places(paved, seed)),
-        slope_(fall(paved.pavement.ground)) {
+        slope_(paving::fall(paved.pavement.ground)) {
     if (paved.pavement.detail && paved.pavement.detail->close_mm > 0.0 && paved.pavement.relief.rms_mm > 0.0) {
       relief_ = stone_relief_heights(paved.pavement, seed);
     }
@@ -290,7 +285,7 @@ constexpr double most_squares = 400.0;
 
 // Lies as the ground does: fall and level.
 Mesh laid_down(Mesh mesh, const paving::Ground& ground) {
-  const vec2 slope = fall(ground);
+  const vec2 slope = paving::fall(ground);
   for (std::size_t i = 0; i < mesh.points_mm.size(); ++i) {
     vec3& p = mesh.points_mm[i];
     vec3& n = mesh.normals[i];

@@ -49,6 +49,10 @@ GroundPoint settlement(const Ground& ground, std::uint64_t seed, vec2 place, std
           scale / cell_mm * vec2{ease_slope(within.x) * (b + d * v), ease_slope(within.y) * (c + d * u)}};
 }
 
+vec2 fall(const Ground& ground) {
+  return ground.fall_percent == 0.0 ? vec2{0.0, 0.0} : -0.01 * ground.fall_percent * ground.fall_direction.direction();
+}
+
 std::optional<double> water_level_mm(const Look& look, std::vector<double> faces_mm) {
   if (look.wetness <= 0.5 || faces_mm.empty()) return std::nullopt;
   constexpr double flooded_when_wettest = 1.0 / 3.0;

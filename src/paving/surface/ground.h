@@ -19,6 +19,9 @@ struct GroundPoint {
 // period in x and y it repeats: hollows are as much nearer or farther apart as a whole number of them needs.
 GroundPoint settlement(const Ground& ground, std::uint64_t seed, vec2 place, std::optional<vec2> period_mm = {});
 
+// Fall of the ground, as rise per mm along x and y.
+vec2 fall(const Ground& ground);
+
 // How high water stands in the low spots: over a part of the stones, of which these are the heights of the middles of their
 // faces, fall and level of the ground left out. Above a wetness of one half; over a third of them where it is 1.
 std::optional<double> water_level_mm(const Look& look, std::vector<double> faces_mm);

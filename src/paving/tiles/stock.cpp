@@ -15,7 +15,7 @@ using geometry::Box;
 using geometry::Polygon;
 
 // Both corners of a face are rounded to the lattice, twice: when it was cut and when the joint was taken off.
-constexpr double rounding_mm = 0.003;
+constexpr double stock_rounding_mm = 0.003;
 
 vec2 out_of(vec2 along_across, vec2 axis) { return along_across.x * axis + along_across.y * left_of(axis); }
 
@@ -78,15 +78,15 @@ double stoutness_mm(const Polygon& polygon) {
 bool fits(const Polygon& face, vec2 axis, const Stock& stock) {
   const vec2 size = size_of(extent(face, axis));
   const vec2 most = stock.size_for(axis);
-  return size.x <= most.x + rounding_mm && size.y <= most.y + rounding_mm &&
-         geometry::area(face) <= stock.area_mm2 + rounding_mm * (size.x + size.y);
+  return size.x <= most.x + stock_rounding_mm && size.y <= most.y + stock_rounding_mm &&
+         geometry::area(face) <= stock.area_mm2 + stock_rounding_mm * (size.x + size.y);
 }
 
 std::vector<Polygon> trimmed(const Polygon& face, vec2 axis, const Stock& stock) {
   const Box box = extent(face, axis);
   const vec2 size = size_of(box);
   const vec2 most = stock.size_for(axis);
-  if (size.x <= most.x + rounding_mm && size.y <= most.y + rounding_mm) return {face};
+  if (size.x <= most.x + stock_rounding_mm && size.y <= most.y + stock_rounding_mm) return {face};
   const vec2 middle = 0.5 * (box.low + box.high);
   const vec2 half = 0.5 * glm::min(size, most);
   std::vector<Polygon> parts;

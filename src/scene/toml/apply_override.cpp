@@ -140,14 +140,23 @@ toml::node& next_node(toml::node& node, const Step& step, const Override& change
   return *table->get(*key);
 }
 
+// Where all steps but the last lead.
+toml::node& parent_node(toml::table& scene, const std::vector<Step>& steps, const Override& change) {
+  toml::node* parent = &scene;
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) parent = &next_node(*parent, steps[i], change, path_of(steps, i));
+  return *parent;
+}
+
+// A value of TOML that knows where it came from.
+toml::table parsed_literal(std::string_view literal, const Override& change) {
+  return toml::parse(fmt::format("value = {}", literal), change.origin);
+}
+
 }  // namespace
 
 void apply(const Override& change, toml::table& scene) {
   const std::vector<Step> steps = steps_of(change);
-  toml::node* parent = &scene;
-  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
-    parent = &next_node(*parent, steps[i], change, path_of(steps, i));
-  }
+  toml::node* const parent = &parent_node(scene, steps, change);
   const std::string path = path_of(steps, steps.size() - 1);
   toml::table value = parsed_value(change);
   // Moved, not copied: a copy forgets where it came from, which messages show.
@@ -162,6 +171,27 @@ void apply(const Override& change, toml::table& scene) {
       next_node(*parent, steps.back(), change, path);  // says what is wrong
     }
   });
+}
+
+std::string append_table(const Override& change, toml::table& scene) {
+  const std::vector<Step> steps = steps_of(change);
+  toml::node& parent = parent_node(scene, steps, change);
+  toml::table* const table = parent.as_table();
+  const auto* const key = std::get_if<std::string>(&steps.back());
+  if (table != nullptr && key != nullptr && !table->contains(*key)) {
+    toml::table made = parsed_literal("[]", change);
+    table->insert(*key, std::move(*made.get_as<toml::array>("value")));
+  }
+  toml::node& node = next_node(parent, steps.back(), change, path_of(steps, steps.size() - 1));
+  toml::array* const array = node.as_array();
+  if (array == nullptr || !(array->empty() || array->is_array_of_tables())) {
+    refuse(Place{change.origin, 0, 0, ""}, "a list of tables, such as pane or pane[0].impact",
+           fmt::format("{}, which is {}", in_quotes(change.key), description(node)));
+  }
+  require_utf8(change.value, change.origin);
+  toml::table made = parsed_literal(change.value, change);
+  array->push_back(std::move(*made.get_as<toml::table>("value")));
+  return fmt::format("{}[{}]", change.key, array->size() - 1);
 }
 
 }  // namespace shatterpave::scene

@@ -1,0 +1,18 @@
+// A scene of the face as the rooms read it.
+#pragma once
+
+#include <shatterpave/scene.h>
+
+#include <memory>
+
+#include "scene/scene.h"
+
+namespace shatterpave {
+
+class SceneAccess {
+ public:
+  // Read where it was changed since it was read last. Throws InputError.
+  static std::shared_ptr<const scene::Scene> read(const Scene& scene);
+};
+
+}  // namespace shatterpave

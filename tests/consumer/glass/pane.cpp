@@ -1,0 +1,3 @@
+#include "glass/pane.h"
+
+std::size_t length(const Pane& pane) { return pane.title.size(); }

@@ -30,6 +30,6 @@ inline Scene small_yard() {
 }
 
 // As export_files gives it, which tests of other things do without: it loads what reads pictures.
-inline std::string json_of(const Model& model) { return exporting::json_file(ModelAccess::model(model)).content; }
+inline std::string json_of(const Model& model) { return exporting::json::json_file(ModelAccess::model(model)).content; }
 
 }  // namespace shatterpave

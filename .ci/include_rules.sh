@@ -9,7 +9,7 @@ cd "$root"
 # The table's rows as "room allowed allowed …".
 rules=$(awk -F'|' '
   /^## / { inside = /who may include whom/ }
-  inside && $2 ~ /^ `[a-z\/]+` $/ { gsub(/[`–]/, ""); print $2, $4 }' docs/architecture.md)
+  inside && $2 ~ /^ `[a-z\/]+(\/[*])?` $/ { gsub(/[`–]/, ""); print $2, $4 }' docs/architecture.md)
 [[ -n $rules ]] || { echo "docs/architecture.md: no table of rooms found" >&2; exit 1; }
 
 # shellcheck disable=SC2016  # A backquote of the table, no expansion.
@@ -22,16 +22,25 @@ find include src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk 
       for (j = 2; j <= n; ++j) allowed[word[1], word[j]] = 1
     }
   }
+  # The row of a folder: its own, or that of all folders beside it, such as export/*.
+  function row_of(folder,   beside) {
+    if (folder in known) return folder
+    beside = folder
+    sub(/[^\/]*$/, "*", beside)
+    return beside in known ? beside : ""
+  }
   # The deepest folder of a path that the table names.
   function room_of(path) {
-    while (sub(/\/[^\/]*$/, "", path)) if (path in known) return path
+    while (sub(/\/[^\/]*$/, "", path)) if (row_of(path) != "") return path
     return ""
   }
   # Whether the table lets files of `room` include `header`: by its own room, by its name, or by a folder that holds it.
-  function may_include(room, header,   folder) {
-    if (room_of(header) == room || (room, header) in allowed) return 1
+  function may_include(room, header,   folder, row) {
+    if (room_of(header) == room) return 1
+    row = row_of(room)
+    if ((row, header) in allowed || (row, row_of(room_of(header))) in allowed) return 1
     folder = header
-    while (sub(/\/[^\/]*$/, "", folder)) if ((room, folder) in allowed) return 1
+    while (sub(/\/[^\/]*$/, "", folder)) if ((row, folder) in allowed) return 1
     return 0
   }
   function wrong(what) { printf "%s:%d: %s\n", FILENAME, FNR, what; ++failures }

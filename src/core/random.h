@@ -86,7 +86,7 @@ class Id {
   std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
 
-// Where a draw stands: what for, of which element, and the how-many-eth of its kind.
+// Where a draw stands: its purpose, its element, and its ordinal among the element's draws.
 struct Address {
   Stream stream;
   Id element;

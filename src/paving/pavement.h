@@ -1,4 +1,4 @@
-// What a scene may say of a pavement.
+// A pavement as it is asked for: by a scene, or by a room that makes one of another, as kerbs and steps are.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // POV-Ray's scene description language, as text: numbers, points, and what every include file has about its declarations.
 //
-// Numbers are the shortest that read back exactly. Here, and nowhere else, our right-handed coordinates become POV-Ray's
-// left-handed ones.
+// Numbers are the shortest that read back exactly. Here, and for stones in stone_text.h, our right-handed coordinates become
+// POV-Ray's left-handed ones.
 #pragma once
 
 #include <string>

@@ -40,7 +40,7 @@ inline constexpr double crack_clearance_mm = 0.02;
 // The paths of a pane, and the room of each. Between two stations, take the point P(u) and the room r(u), both linear in u.
 // Then two points P(u) + q across, |q| <= r(u), of two paths are farther apart than 2 crack_clearance_mm; unless one path ends
 // on the other, and the points lie within joint_mm and a step of its end, and within 2 joint_mm and a step of the joint on the
-// other. The Near a joint the room is less by the sine of its angle. The outline counts as a path, and a zone as one for all
+// other. Near a joint the free width shrinks by the sine of its angle. The outline counts as a path, and a zone as one for all
 // cracks but those that start in it.
 class Corridors {
  public:

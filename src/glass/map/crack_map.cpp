@@ -256,7 +256,7 @@ std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to) {
   return Arrest{record(crack).end, {}};
 }
 
-// A crack but `but` that ends in the point, −1 if none does: cracks that end in one point of the edge touch one another.
+// A crack other than `but` that ends in the point, −1 if there is none: cracks that end in one point of the edge touch.
 int CrackMap::ended_at(LatticePoint at, int but) const {
   int found = -1;
   index_.visit_near(at, at, [&](int number) {

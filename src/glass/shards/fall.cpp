@@ -41,11 +41,11 @@ constexpr double interval_s = 0.02;
 constexpr std::ptrdiff_t most_falling = 4000;
 // What still moves so long after the last one was let go is given up.
 constexpr double longest_s = 5.0;
-// At rest is what no point of has moved farther than this between two looks at it. Splinters tremble in place by less.
+// A piece is at rest if none of its points moved farther than this between two checks. Splinters tremble in place by less.
 constexpr double rest_mm = 0.15;
 constexpr int steps_between_looks = 200;
-// What was at rest at so many looks one after another stays where it is, as sills do: else all of a heap would be solved anew
-// for each piece that falls on it. By eye: three quarters of a second, in which what is about to topple has begun to.
+// A piece that was at rest at so many checks in succession stays where it is, as sills do: else all of a heap would be solved
+// anew for each piece that falls on it. By eye: three quarters of a second, in which what is about to topple has begun to.
 constexpr int looks_at_rest = 3;
 // No shard spins faster: a splinter that two others nip would be turned by more than a step can follow.
 constexpr double most_spin_per_s = 60.0;

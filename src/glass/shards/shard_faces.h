@@ -16,7 +16,7 @@ inline constexpr int pane_edge = -1;
 
 struct ShardFace {
   // What the face is, so that nothing else in the scene shows in it: the crack with the least id on its border, the side of
-  // that crack on which it lies (from its start), and the how-many-eth face it is along that side, from 0: "c12l3" is the
+  // that crack on which it lies (from its start), and its ordinal among the faces along that side, from 0: "c12l3" is the
   // fourth one on the left of crack 12. "whole" where no crack borders it.
   std::string id;
   geometry::Face face;  // of the segments of FacedPane

@@ -75,8 +75,11 @@ TEST_F(FaceExport, RefusesTargetsThatAreNoneOrHaveNothingToWrite) {
   } catch (const InputError& error) {
     EXPECT_NE(error.message().find("did you mean povray"), std::string::npos) << error.what();
   }
-  EXPECT_THROW(export_files(model, "obj"), InputError);
-  EXPECT_THROW(write_targets(model, {"json", "obj"}, folder_), InputError);
+  Scene gone = small_pane();
+  gone.set("pane.window.shards.splinter_mm2", 1e6);
+  const Model nothing = generate(gone);
+  EXPECT_THROW(export_files(nothing, "obj"), InputError);
+  EXPECT_THROW(write_targets(nothing, {"json", "obj"}, folder_), InputError);
   EXPECT_TRUE(names_in(folder_).empty());
 }
 

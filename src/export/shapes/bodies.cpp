@@ -63,6 +63,11 @@ void require_few_stones(const Things& things) {
 }
 
 void for_each_body(const Model& model, const Materials& materials, const BeginThing& begin, const TakeBody& take) {
+  std::size_t stones = 0;
+  for (const PavedArea& paved : model.pavements) stones += paved.layout.stones.size();
+  if (static_cast<double>(stones) > most_stones) {
+    throw InputError(fmt::format("meshes: expected at most {:.0f} stones, got {}", most_stones, stones));
+  }
   for (std::size_t i = 0; i < model.panes.size(); ++i) {
     if (begin) begin(model.panes[i].pane.name, true);
     append_glass(model.panes[i], Materials::of_glass, take);

@@ -28,7 +28,8 @@ using BeginThing = std::function<void(const std::string& name, bool is_pane)>;
 using TakeBody = std::function<void(Body&& body)>;
 
 // Hands over the bodies of all things, in the order of the model, and within a thing in the order of its elements: never all at
-// once, since a pavement may have a million. Bodies are made in parallel, and are the same for any number of threads.
+// once, since a pavement may have many. Bodies are made in parallel, and are the same for any number of threads. Throws
+// InputError where the stones are more than `most_stones`.
 void for_each_body(const Model& model, const Materials& materials, const BeginThing& begin, const TakeBody& take);
 
 }  // namespace shatterpave::exporting::shapes

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "core/functions.h"
@@ -89,17 +90,21 @@ void write_map(const Maps& maps, const PixelGrid& grid, Map map, TextureFormat f
 // What the files do not say themselves.
 std::string description(const Surface& surface, const PixelGrid& grid, const HeightRange& heights, TextureFormat format) {
   const std::string& name = surface.pavement.name;
-  std::string text = fmt::format(
-      "{{\"format\": \"shatterpave-textures\", \"version\": 1, \"name\": \"{}\", \"seed\": {},\n"
-      " \"size_px\": [{}, {}], \"low_mm\": [{}, {}], \"size_mm\": [{}, {}], \"seamless\": {},\n"
-      " \"height_low_mm\": {}, \"height_range_mm\": {}, \"normal\": \"OpenGL\", \"base_color\": \"{}\",\n"
-      " \"maps\": {{",
-      name, surface.seed, grid.width, grid.height, grid.low_mm.x, grid.low_mm.y, grid.size_mm().x, grid.size_mm().y,
-      surface.periodic, heights.low_mm, heights.range_mm, format == TextureFormat::png ? "sRGB" : "linear");
-  for (const Map map : all_maps) {
-    text += fmt::format("{}\n  \"{}\": \"{}\"", map == all_maps.front() ? "" : ",", name_of(map), file_name(name, map, format));
-  }
-  return text + "}}\n";
+  const vec2 size_mm = grid.size_mm();
+  nlohmann::ordered_json json = {{"format", "shatterpave-textures"},
+                                 {"version", 1},
+                                 {"name", name},
+                                 {"seed", surface.seed},
+                                 {"size_px", {grid.width, grid.height}},
+                                 {"low_mm", {grid.low_mm.x, grid.low_mm.y}},
+                                 {"size_mm", {size_mm.x, size_mm.y}},
+                                 {"seamless", surface.periodic},
+                                 {"height_low_mm", heights.low_mm},
+                                 {"height_range_mm", heights.range_mm},
+                                 {"normal", "OpenGL"},
+                                 {"base_color", format == TextureFormat::png ? "sRGB" : "linear"}};
+  for (const Map map : all_maps) json["maps"][std::string(name_of(map))] = file_name(name, map, format);
+  return json.dump(1) + "\n";
 }
 
 void write_text(const std::string& path, const std::string& text) {

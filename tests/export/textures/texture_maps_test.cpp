@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/parallel.h"
@@ -326,7 +328,9 @@ TEST(TextureFiles, HaveNamesThatOtherProgramsKnow) {
     for (const char* name : {"BaseColor", "Roughness", "Normal", "Height", "AmbientOcclusion", "ID"}) {
       EXPECT_EQ(files.count(std::string("yard_") + name + ending), 1U) << name << ending;
     }
-    EXPECT_NE(files.at("yard_textures.json").find("\"size_px\": [96, 96]"), std::string::npos);
+    const auto told = nlohmann::json::parse(files.at("yard_textures.json"));
+    EXPECT_EQ(told["size_px"], nlohmann::json({96, 96}));
+    EXPECT_EQ(told["maps"]["Height"], "yard_Height" + std::string(ending));
   }
 }
 

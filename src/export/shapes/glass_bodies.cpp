@@ -93,6 +93,20 @@ Mesh gap(const glass::CrackSurface& surface) {
   return inverted(std::move(mesh));
 }
 
+// The flat end over a ring of points, which are counter-clockwise about the axis; the normal looks along it or against it.
+void append_end(Mesh& mesh, std::uint32_t ring, std::uint32_t count, vec3 normal) {
+  const vec3 a = mesh.points_mm[ring];
+  const bool along = glm::dot(glm::cross(mesh.points_mm[ring + 1] - a, mesh.points_mm[ring + 2] - a), normal) > 0.0;
+  const auto first = static_cast<std::uint32_t>(mesh.points_mm.size());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const vec3 p = mesh.points_mm[ring + k];
+    append_point(mesh, p, normal, faced(p, normal));
+  }
+  for (std::uint32_t k = 1; k + 1 < count; ++k) {
+    append_triangle(mesh, first, first + (along ? k : k + 1), first + (along ? k + 1 : k));
+  }
+}
+
 // Rings about an axis, closed at both ends by fans: a tube, or a disc.
 Mesh round_body(vec3 from, vec3 to, vec3 side, double radius_mm, std::size_t sides) {
   const vec3 axis = glm::normalize(to - from);
@@ -114,17 +128,8 @@ Mesh round_body(vec3 from, vec3 to, vec3 side, double radius_mm, std::size_t sid
     append_triangle(mesh, k, next, count + next);
     append_triangle(mesh, k, count + next, count + k);
   }
-  for (const bool at_end : {false, true}) {
-    const vec3 normal = at_end ? axis : -axis;
-    const auto first = static_cast<std::uint32_t>(mesh.points_mm.size());
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const vec3 p = mesh.points_mm[k + (at_end ? count : 0)];
-      append_point(mesh, p, normal, faced(p, normal));
-    }
-    for (std::uint32_t k = 1; k + 1 < count; ++k) {
-      append_triangle(mesh, first, first + (at_end ? k : k + 1), first + (at_end ? k + 1 : k));
-    }
-  }
+  append_end(mesh, 0, count, -axis);
+  append_end(mesh, count, count, axis);
   return inverted(std::move(mesh));
 }
 

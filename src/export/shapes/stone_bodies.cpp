@@ -25,7 +25,7 @@ namespace shatterpave::exporting::shapes {
 
 namespace {
 
-constexpr std::size_t stones_at_once = 1024;
+constexpr std::size_t bodies_at_once = 1024;
 
 // ---- places in textures
 
@@ -37,7 +37,9 @@ constexpr int place_count = places_aside * places_aside;
 
 vec2 place_m(int place) {
   constexpr double step = swatch_m / places_aside;
-  return {step * static_cast<double>(place % places_aside), step * static_cast<double>(place / places_aside)};
+  const int column = place % places_aside;
+  const int row = place / places_aside;
+  return {step * static_cast<double>(column), step * static_cast<double>(row)};
 }
 
 // By how much two stretches of a swatch have something in common, along one of its sides.
@@ -73,7 +75,7 @@ std::vector<int> texture_places(const PavedArea& paved, std::uint64_t seed) {
   std::vector<Window> windows(stones.size());
   std::vector<StoneBox> entries(stones.size());
   const double near_mm = 1.5 * paved.pavement.joint_mm + 1.0;
-  parallel_for_chunks(stones.size(), stones_at_once, [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(stones.size(), bodies_at_once, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       boxes[i] = geometry::bounding_box(stones[i].outline_mm);
       entries[i] = {box_of(boxes[i], 0.0), static_cast<std::uint32_t>(i)};
@@ -253,7 +255,7 @@ class StoneBodies {
     for (const vec2& p : stone.outline_mm) corners.emplace_back(glm::dot(p - centre, along), cross(along, p - centre));
     // From the lowest of the left ones, however the outline begins.
     const auto is_before = [](vec2 a, vec2 b) { return std::pair(a.x < 0.0, -a.y) > std::pair(b.x < 0.0, -b.y); };
-    std::ranges::rotate(corners, std::ranges::min_element(corners, is_before));
+    std::rotate(corners.begin(), std::ranges::min_element(corners, is_before), corners.end());
     const auto same = [&](const std::vector<vec2>& other) {
       return other.size() == corners.size() && std::ranges::equal(other, corners, [](vec2 a, vec2 b) {
                return std::abs(a.x - b.x) <= alike_mm && std::abs(a.y - b.y) <= alike_mm;
@@ -339,8 +341,8 @@ void append_stones(const PavedArea& paved, std::size_t first_material, std::uint
   const paving::Pavement& pavement = paved.pavement;
   const StoneBodies stones(paved, first_material, seed);
   std::vector<Body> bodies;
-  for (std::size_t begin = 0; begin < stones.count(); begin += stones_at_once) {
-    bodies.assign(std::min(stones_at_once, stones.count() - begin), {});
+  for (std::size_t begin = 0; begin < stones.count(); begin += bodies_at_once) {
+    bodies.assign(std::min(bodies_at_once, stones.count() - begin), {});
     parallel_for_chunks(bodies.size(), 16, [&](std::size_t from, std::size_t to) {
       for (std::size_t i = from; i < to; ++i) bodies[i] = stones.body(begin + i);
     });

@@ -17,7 +17,7 @@ namespace {
 
 using relief::PeriodicField;
 
-constexpr std::size_t stones_at_once = 256;
+constexpr std::size_t looks_at_once = 256;
 constexpr std::size_t rows_at_once = 64;
 
 // The lowest and the highest of the window.
@@ -114,7 +114,7 @@ struct Maps::Looks {
     // Of the single patch of the highest stone, see paving/surface/stone_surface.h.
     const double highest_mm = 0.5625 * top.height_mm * (1.0 + top.height_spread);
     level = surface.pavement.body.finish == paving::Finish::none && top.height_mm == 0.0;
-    parallel_for_chunks(stones.size(), stones_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_for_chunks(stones.size(), looks_at_once, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {
         const paving::StoneDraws draws = laid.draws(s);
         stones[s] = {geometry::centroid(surface.stones[s].outline_mm), draws.relief_place, static_cast<float>(draws.relief),

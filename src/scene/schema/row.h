@@ -180,8 +180,8 @@ class Row {
   Row within(const WholeRange& range) const {
     return with([&](Row& row) { row.key_.whole_range = range; });
   }
-  Row one_of(std::vector<std::string_view> choices) const {
-    return with([&](Row& row) { row.key_.choices = std::move(choices); });
+  Row one_of(const std::vector<std::string_view>& choices) const {
+    return with([&](Row& row) { row.key_.choices = choices; });
   }
   // How the value is written.
   Row written(std::string_view form) const {

@@ -22,6 +22,7 @@ struct Word {
 template <typename Words>
 std::vector<std::string_view> names_of(const Words& words) {
   std::vector<std::string_view> names;
+  names.reserve(words.size());
   for (const auto& word : words) names.push_back(word.name);
   return names;
 }

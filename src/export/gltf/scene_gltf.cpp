@@ -143,9 +143,7 @@ class Writer {
       q = {(m[0].z + m[2].x) / s, (m[1].z + m[2].y) / s, 0.25 * s, (m[1].x - m[0].y) / s};
     }
     const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    std::vector<double> result;
-    for (const double part : q) result.push_back(part / length);
-    return result;
+    return {q[0] / length, q[1] / length, q[2] / length, q[3] / length};
   }
 
   int mesh_of(const shapes::Body& body) {

@@ -145,8 +145,7 @@ Targets targets_of(const Texts& given) {
   std::vector<std::size_t> chosen;
   for (const std::string& name : given) chosen.push_back(choice_of(name, "--target", names));
   std::ranges::sort(chosen);
-  const auto repeated = std::ranges::unique(chosen);
-  chosen.erase(repeated.begin(), repeated.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   Targets targets;
   for (const std::size_t i : chosen) targets.push_back(table[i]);
   return targets;

@@ -68,6 +68,7 @@ TEST(ParallelFor, ScopesOfSeveralThreadsKnowNothingOfOneAnother) {
   std::atomic<int> done = 0;
   {
     std::vector<std::jthread> callers;
+    callers.reserve(8);
     for (int caller = 0; caller < 8; ++caller) {
       callers.emplace_back([&, caller] {
         for (int repeat = 0; repeat < 50; ++repeat) {

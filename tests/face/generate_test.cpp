@@ -86,6 +86,7 @@ TEST(FaceGenerate, CallsFromSeveralThreadsKnowNothingOfOneAnother) {
   std::atomic<int> stopped{0};
   {
     std::vector<std::jthread> callers;
+    callers.reserve(6);
     for (int caller = 0; caller < 6; ++caller) {
       callers.emplace_back([&, caller] {
         for (int repeat = 0; repeat < 3; ++repeat) {
@@ -111,6 +112,7 @@ TEST(FaceGenerate, OneModelServesSeveralThreads) {
   std::atomic<std::size_t> triangles{0};
   {
     std::vector<std::jthread> callers;
+    callers.reserve(4);
     for (int caller = 0; caller < 4; ++caller) {
       callers.emplace_back([&] {
         cracks += model.panes().at(0).cracks.size();

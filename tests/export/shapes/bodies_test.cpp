@@ -237,7 +237,9 @@ TEST(Bodies, TexturesRunAlongEachBrickInMetres) {
 // The part of a texture of one metre that a stone shows, by its own places: marked on a grid of 5 mm.
 std::vector<bool> shown(const Mesh& mesh) {
   constexpr int cells = 200;
-  std::vector<bool> marks(cells * cells, false);
+  constexpr std::size_t cell_count = std::size_t{cells} * cells;
+  std::vector<bool> marks(cell_count, false);
+  const auto wrapped = [](int cell) { return static_cast<std::size_t>((cell % cells + cells) % cells); };
   vec2 low{1e9, 1e9};
   vec2 high = -low;
   for (std::size_t i = 0; i < mesh.uv_m.size(); ++i) {
@@ -247,7 +249,7 @@ std::vector<bool> shown(const Mesh& mesh) {
   }
   for (int y = static_cast<int>(std::ceil(low.y * cells)); y < std::floor(high.y * cells); ++y) {
     for (int x = static_cast<int>(std::ceil(low.x * cells)); x < std::floor(high.x * cells); ++x) {
-      marks[static_cast<std::size_t>(((y % cells + cells) % cells) * cells + (x % cells + cells) % cells)] = true;
+      marks[wrapped(y) * cells + wrapped(x)] = true;
     }
   }
   return marks;

@@ -133,16 +133,6 @@ std::vector<CrackGroup> crack_groups(const BrokenPane& broken, const std::string
   return groups;
 }
 
-// Zones about impacts that went through are holes instead.
-std::vector<glass::ImpactZone> crushed_zones(const glass::CrackSurfaces& surfaces) {
-  std::vector<glass::ImpactZone> zones;
-  for (const glass::ImpactZone& zone : surfaces.zones) {
-    const auto is_here = [&](const glass::ShotHole& shot_hole) { return shot_hole.shape.centre_mm == zone.centre_mm; };
-    if (std::ranges::none_of(surfaces.shot_holes, is_here)) zones.push_back(zone);
-  }
-  return zones;
-}
-
 // NAME_Broken with materials of the artist's, and NAME_Pane with ours.
 void append_whole(std::string& text, const std::vector<CrackGroup>& groups, bool crushed, const std::string& prefix) {
   const auto parts = [&](std::string_view glass, bool own) {
@@ -241,17 +231,8 @@ IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix,
   return header;
 }
 
-// The tubes of the cracks within joined shards.
-std::vector<shapes::Tube> joined_tubes(const BrokenPane& broken) {
-  std::vector<geometry::Region> bodies;
-  for (const glass::Shard& shard : broken.shards) {
-    if (!shard.joined.empty()) bodies.push_back(shard.face);
-  }
-  return bodies.empty() ? std::vector<shapes::Tube>{} : shapes::tubes_within(broken.pane, broken.network, bodies);
-}
-
 OutputFile shards_include(const BrokenPane& broken, const std::string& prefix) {
-  const std::vector<shapes::Tube> tubes = joined_tubes(broken);
+  const std::vector<shapes::Tube> tubes = shapes::joined_tubes(broken);
   std::string text = "#include \"shatterpave_shards.inc\"\n";
   text += tubes.empty() ? "\n" : "#include \"shatterpave_glass.inc\"\n\n";
   append_slab(text, broken.pane, prefix);
@@ -267,7 +248,7 @@ OutputFile shards_include(const BrokenPane& broken, const std::string& prefix) {
 OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
   if (broken.pane.shards) return shards_include(broken, prefix);
   const Body body = broken.pane.crack_body == glass::CrackBody::sheet ? Body::sheets : Body::tubes;
-  std::vector<glass::ImpactZone> zones = crushed_zones(broken.surfaces);
+  std::vector<glass::ImpactZone> zones = shapes::crushed_zones(broken.surfaces);
   std::vector<CrackGroup> groups;
   if (body == Body::sheets) {
     groups = crack_groups(broken, prefix);

@@ -50,10 +50,6 @@ void append_prism(std::string& text, const paving::Pavement& pavement, const std
 
 // ---- sunken ground
 
-// Squares of the surface of a sunken bed to a hollow, and the most of them along a side of the pavement.
-constexpr double squares_of_hollow = 12.0;
-constexpr double most_squares = 400.0;
-
 struct Mesh {
   std::string vertices;
   std::string normals;
@@ -65,8 +61,7 @@ struct Mesh {
 Mesh sunken_surface(const paving::Pavement& pavement, std::uint64_t seed) {
   const geometry::Box box = geometry::bounding_box(pavement.area.outline);
   const vec2 size = box.high - box.low;
-  const double step =
-      std::max(pavement.ground.settlement_length_mm / squares_of_hollow, std::max(size.x, size.y) / most_squares);
+  const double step = paving::ground_square_mm(pavement);
   Mesh mesh;
   mesh.columns = static_cast<std::size_t>(std::ceil(size.x / step));
   mesh.rows = static_cast<std::size_t>(std::ceil(size.y / step));

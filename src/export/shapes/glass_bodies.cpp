@@ -224,12 +224,7 @@ void append_gaps(const BrokenPane& broken, std::size_t first_material, const Tak
   CrackBodies cracks(broken, first_material + 1, take);
   for (const glass::CrackSurface& surface : broken.surfaces.surfaces) cracks.add(surface.crack, gap(surface));
   cracks.end();
-  std::vector<glass::ImpactZone> zones;
-  for (const glass::ImpactZone& zone : broken.surfaces.zones) {
-    const auto is_here = [&](const glass::ShotHole& hole) { return hole.shape.centre_mm == zone.centre_mm; };
-    if (std::ranges::none_of(broken.surfaces.shot_holes, is_here)) zones.push_back(zone);
-  }
-  append_crushed(broken, zones, first_material + 2, take);
+  append_crushed(broken, crushed_zones(broken.surfaces), first_material + 2, take);
   for (std::size_t i = 0; i < broken.surfaces.shot_holes.size(); ++i) {
     const glass::ShotHole& hole = broken.surfaces.shot_holes[i];
     std::vector<vec3> points = hole.wall_mm;
@@ -255,11 +250,8 @@ void append_whole(const BrokenPane& broken, std::size_t first_material, const Ta
 
 void append_shards(const BrokenPane& broken, std::size_t first_material, const TakeBody& take) {
   std::vector<const glass::Shard*> there;
-  std::vector<geometry::Region> joined;
   for (const glass::Shard& shard : broken.shards) {
-    if (shard.state == glass::ShardState::missing) continue;
-    there.push_back(&shard);
-    if (!shard.joined.empty()) joined.push_back(shard.face);
+    if (shard.state != glass::ShardState::missing) there.push_back(&shard);
   }
   std::vector<Body> bodies;
   for (std::size_t begin = 0; begin < there.size(); begin += shards_at_once) {
@@ -267,7 +259,7 @@ void append_shards(const BrokenPane& broken, std::size_t first_material, const T
     parallel_for(bodies.size(), [&](std::size_t i) { bodies[i] = shard_body(broken, *there[begin + i], first_material); });
     for (Body& body : bodies) take(std::move(body));
   }
-  if (!joined.empty()) append_tubes(broken, tubes_within(broken.pane, broken.network, joined), first_material + 1, take);
+  append_tubes(broken, joined_tubes(broken), first_material + 1, take);
 }
 
 }  // namespace

@@ -281,10 +281,6 @@ class StoneBodies {
 
 // ---- filling and water
 
-// Squares of the surface of sunken ground to a hollow, and the most of them along a side of the pavement.
-constexpr double squares_of_hollow = 12.0;
-constexpr double most_squares = 400.0;
-
 // Lies as the ground does: fall and level.
 Mesh laid_down(Mesh mesh, const paving::Ground& ground) {
   const vec2 slope = paving::fall(ground);
@@ -301,8 +297,7 @@ Mesh laid_down(Mesh mesh, const paving::Ground& ground) {
 Mesh sunken_surface(const paving::Pavement& pavement, std::uint64_t seed) {
   const geometry::Box box = geometry::bounding_box(pavement.area.outline);
   const vec2 size = box.high - box.low;
-  const double step =
-      std::max(pavement.ground.settlement_length_mm / squares_of_hollow, std::max(size.x, size.y) / most_squares);
+  const double step = paving::ground_square_mm(pavement);
   const auto columns = static_cast<std::size_t>(std::ceil(size.x / step));
   const auto rows = static_cast<std::size_t>(std::ceil(size.y / step));
   std::vector<Mesh> strips(rows);

@@ -362,4 +362,21 @@ std::vector<Tube> tubes_within(const glass::Pane& pane, const glass::CrackNetwor
   return trimmed_tubes(pane, network, bodies, impact_shapes(pane, network));
 }
 
+std::vector<Tube> joined_tubes(const BrokenPane& broken) {
+  std::vector<geometry::Region> bodies;
+  for (const glass::Shard& shard : broken.shards) {
+    if (shard.state != glass::ShardState::missing && !shard.joined.empty()) bodies.push_back(shard.face);
+  }
+  return bodies.empty() ? std::vector<Tube>{} : tubes_within(broken.pane, broken.network, bodies);
+}
+
+std::vector<glass::ImpactZone> crushed_zones(const glass::CrackSurfaces& surfaces) {
+  std::vector<glass::ImpactZone> zones;
+  for (const glass::ImpactZone& zone : surfaces.zones) {
+    const auto is_here = [&](const glass::ShotHole& shot_hole) { return shot_hole.shape.centre_mm == zone.centre_mm; };
+    if (std::ranges::none_of(surfaces.shot_holes, is_here)) zones.push_back(zone);
+  }
+  return zones;
+}
+
 }  // namespace shatterpave::exporting::shapes

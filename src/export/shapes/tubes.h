@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "core/vec.h"
+#include "export/model.h"
 #include "geometry/polygon.h"
+#include "glass/gaps/crack_surface.h"
 #include "glass/map/crack_paths.h"
 #include "glass/network.h"
 #include "glass/pane.h"
@@ -47,5 +49,11 @@ TubedCracks tubed_cracks(const glass::Pane& pane, const glass::CrackNetwork& net
 //   bodies  regions that do not overlap
 std::vector<Tube> tubes_within(const glass::Pane& pane, const glass::CrackNetwork& network,
                                const std::vector<geometry::Region>& bodies);
+
+// The tubes of the cracks within joined shards; none where no shards are joined.
+std::vector<Tube> joined_tubes(const BrokenPane& broken);
+
+// The zones in which the glass about an impact is ground up: those of gaps that no hole has taken.
+std::vector<glass::ImpactZone> crushed_zones(const glass::CrackSurfaces& surfaces);
 
 }  // namespace shatterpave::exporting::shapes

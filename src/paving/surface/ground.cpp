@@ -53,6 +53,14 @@ vec2 fall(const Ground& ground) {
   return ground.fall_percent == 0.0 ? vec2{0.0, 0.0} : -0.01 * ground.fall_percent * ground.fall_direction.direction();
 }
 
+double ground_square_mm(const Pavement& pavement) {
+  constexpr double squares_of_hollow = 12.0;
+  constexpr double most_squares = 400.0;
+  const geometry::Box box = geometry::bounding_box(pavement.area.outline);
+  const vec2 size = box.high - box.low;
+  return std::max(pavement.ground.settlement_length_mm / squares_of_hollow, std::max(size.x, size.y) / most_squares);
+}
+
 std::optional<double> water_level_mm(const Look& look, std::vector<double> faces_mm) {
   if (look.wetness <= 0.5 || faces_mm.empty()) return std::nullopt;
   constexpr double flooded_when_wettest = 1.0 / 3.0;

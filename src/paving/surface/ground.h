@@ -22,6 +22,10 @@ GroundPoint settlement(const Ground& ground, std::uint64_t seed, vec2 place, std
 // Fall of the ground, as rise per mm along x and y.
 vec2 fall(const Ground& ground);
 
+// The side of squares that are small enough to draw sunken ground with: twelve to a hollow, but no more than 400 along a side
+// of the pavement. By eye: on hollows of 20 mm no edge shows.
+double ground_square_mm(const Pavement& pavement);
+
 // How high water stands in the low spots: over a part of the stones, of which these are the heights of the middles of their
 // faces, fall and level of the ground left out. Above a wetness of one half; over a third of them where it is 1.
 std::optional<double> water_level_mm(const Look& look, std::vector<double> faces_mm);

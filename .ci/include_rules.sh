@@ -75,11 +75,14 @@ find include src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk 
       (code ~ /std::(async|j?thread)([^:a-z_]|$)/ || code ~ /^[ \t]*#[ \t]*include[ \t]*<(oneapi\/)?tbb/) {
     wrong("threads are started in core/parallel.cpp alone")
   }
-  /^[ \t]*#[ \t]*include[ \t]*<(bt[A-Z]|BulletCollision|BulletDynamics|LinearMath)/ && FILENAME != "src/glass/shards/fall.cpp" {
-    wrong("Bullet is included in glass/shards/fall.cpp alone")
+  /^[ \t]*#[ \t]*include[ \t]*<(bt[A-Z]|BulletCollision|BulletDynamics|LinearMath)/ && FILENAME != "src/glass/shards/rigid_scene.h" {
+    wrong("Bullet is included in glass/shards/rigid_scene.h alone")
   }
   /^[ \t]*#[ \t]*include[ \t]*<proj/ && FILENAME != "src/scene/plans/proj_library.h" {
     wrong("PROJ is included in scene/plans/proj_library.h alone, which opens it")
+  }
+  /^[ \t]*#[ \t]*include[ \t]*<(gdal|ogr_|cpl_)/ && FILENAME != "src/scene/plans/gdal_library.h" {
+    wrong("GDAL is included in scene/plans/gdal_library.h alone, which opens it")
   }
   /^[ \t]*#[ \t]*include[ \t]*<OpenImageIO\// && big_room != "relief" && !(FILENAME ~ /^tests\/(render|relief)\//) {
     wrong("OpenImageIO is included in relief alone")

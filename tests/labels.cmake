@@ -7,24 +7,24 @@
 # Those of GoogleTest are known when ctest starts, which reads this file then (tests/CMakeLists.txt); tests/scripts reads it when it
 # is configured. tests/scripts/labels_test.sh looks whether each test has one.
 
-set(shatterpave_render_tests "Render|^GlassLook[.]")
-set(shatterpave_readers_tests "^SvgRendering[.]|^ReferenceSystem[.]AgreesWithProjinfo|^scripts[.](blender|blender_glass|gltf|measure)$")
+set(shatterpave_render_tests "Render|^GlassLook[.]|^scripts[.]frames$")
+set(shatterpave_readers_tests "^SvgRendering[.]|^ReferenceSystem[.]AgreesWithProjinfo|^scripts[.](blender|blender_glass|dxf|gltf|measure|mitsuba|obj|quantities|serve|tutorials|usd)$")
 set(shatterpave_statistics_tests
-    "^(Pane|Preset)Statistics[.]|^(Laws|CountLaw|Spread|GoodLayout|Random)[.]|^FractalSurface[.]Spectrum|^Counts[.]StayInRange")
+    "^(Pane|Preset|Pattern)Statistics[.]|^(SceneFit|Laws|CountLaw|Spread|GoodLayout|Random)[.]|^FractalSurface[.]Spectrum|^Counts[.]StayInRange")
 string(JOIN "|" shatterpave_slow_tests
   "^scripts[.]"
   # geometry
   "^Fill[.]RefusesEndless" "^InscribedCircle[.]IsAsLarge" "^RegionFault[.](AgreesWith|TakesNearly)"
   # glass
   "^(ClosedRegion|Dice|FallenShards|RealPattern|Topology|Branches|Laminated)[.]" "CrackSurface" "CracksInASlab" "^Bodies" "^CrackMap[.]StaysInside"
-  "^Growth[.](Thousands|Tips)" "Joined" "Shard" "^Radials/Tubes"
+  "^Growth[.](Thousands|Tips)" "^GrowthClock[.]" "Joined" "Shard" "^Radials/Tubes"
   # paving
-  "^(Bonds|BorderCourse|Filling|Joining|Laying|Variation)[.]" "EveryBond" "EveryField" "^Steps[.]AreNever" "^StoneBody[.]Rounded"
+  "^(Bonds|BorderCourse|Colouring|Filling|HandLaying|Joining|Laying|Variation)[.]" "EveryBond" "EveryField" "^Steps[.]AreNever" "^StoneBody[.]Rounded"
   "^StoneSurface[.](Split|Covers)"
   # measure
   "^(BareSpot|PavementMeasures|StoneStock)[.]"
   # scene
-  "^Fuzz[.]" "^GeoJsonFile[.]Crs" "^Svg[.]UseCannot" "^ReferenceSystem[.]"
+  "^Fuzz[.]" "^EnvironmentFile[.]TooLarge" "^GeoJsonFile[.]Crs" "^Svg[.]UseCannot" "^ReferenceSystem[.]"
   # the command, and the library as a whole
   "^Command[.]" "^Face.*(Slow|Threads)" "^FaceModel[.]Stones")
 

@@ -3,7 +3,7 @@
 ///
 /// Every function of the library that fails throws, and leaves its arguments as they were:
 ///
-/// - InputError where a scene, a key, a value or the name of a file is wrong: the user's to mend;
+/// - InputError where a scene, a key, a value or the name of a file is wrong: for the user to correct;
 /// - Interrupted where work was asked to stop;
 /// - std::filesystem::filesystem_error where a folder cannot be written to;
 /// - other std::exception, such as std::bad_alloc, or std::logic_error for a fault of the library itself.
@@ -13,8 +13,8 @@
 ///     try {
 ///       const shatterpave::Model model = shatterpave::generate(shatterpave::Scene::from_file("yard.toml"));
 ///     } catch (const shatterpave::InputError& error) {
-///       std::cerr << error.what() << '\n';  // yard.toml:14:12: pavement[0].joint_mm: expected a number from 0 to 1000, got
-///       4000 highlight(error.place().line, error.place().column);
+///       std::cerr << error.what() << '\n';  // "yard.toml:14:12: pavement[0].joint_mm: expected …, got 4000"
+///       highlight(error.place().line, error.place().column);
 ///     }
 #pragma once
 

@@ -23,7 +23,7 @@ struct Target {
   std::string_view sentence;  ///< What is written, for help.
 };
 
-/// All targets, in the order in which they are told.
+/// All targets, in the order in which help lists them.
 const std::vector<Target>& targets();
 
 /// A file in memory.

@@ -10,12 +10,12 @@
 
 namespace shatterpave {
 
-/// How work is done. Nothing of it shows in what is made.
+/// How the work is done. The result does not depend on it.
 struct WorkOptions {
   int threads =
       0;  ///< Threads that work at once, 0 … 1024; 0: as many as there are processors. More than those are not started.
-  /// Told what is being done and how much of it is, from 0 to 1. May be empty. Called on any thread, by one at a time. If it
-  /// throws, work stops, and its exception leaves the function that works.
+  /// Called with the name of the work in progress and the fraction done, from 0 to 1. May be empty. Any thread calls it, one at
+  /// a time. If it throws, work stops, and its exception leaves the function that works.
   std::function<void(std::string_view what, double done)> progress{};
   /// Asked from time to time whether work shall stop; then Interrupted is thrown. May be empty. Called on any thread, by
   /// several at once: a std::atomic<bool> will do. Once it says yes it must go on saying so.

@@ -34,16 +34,16 @@ class Model {
   /// The panes, in the order of the scene. They are made when they are first asked for, and live as long as a copy of the
   /// model.
   const std::vector<Pane>& panes() const&;
-  /// Of a model that is about to go nothing can be kept.
+  /// Deleted, since the panes would not outlive a model that is about to go.
   const std::vector<Pane>& panes() const&& = delete;
 
   /// The pavements, in the order of the scene, the kerb of one after it. They are made when they are first asked for, and live
   /// as long as a copy of the model.
   const std::vector<Pavement>& pavements() const&;
-  /// Of a model that is about to go nothing can be kept.
+  /// Deleted, since the pavements would not outlive a model that is about to go.
   const std::vector<Pavement>& pavements() const&& = delete;
 
-  /// What should be told of what was made: a pavement of which no stone is laid, a pane of which nothing is left. Those of the
+  /// Notes on what was made: a pavement of which no stone is laid, a pane of which nothing is left. Those of the
   /// scene itself are Scene::notes.
   std::vector<Note> notes() const;
 

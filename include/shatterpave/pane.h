@@ -21,6 +21,8 @@ enum class CrackKind {
   circular,  ///< One arm of a ring crack; the two arms of a starting point are two cracks.
   branch,    ///< Leaves a radial crack, or another branch, which goes on.
   dice,      ///< A border of the fragments of tempered glass.
+  rung,      ///< One of two arms across the strip between two radials, on no ring.
+  chip,      ///< The border of a lens-shaped flake beside a radial crack.
 };
 
 /// The word that files use for it, such as "circular".

@@ -13,7 +13,7 @@
 
 namespace shatterpave {
 
-/// Whether a stone is as it was bought.
+/// Whether a stone is whole or cut.
 enum class StoneKind {
   whole,  ///< As it was bought.
   cut,    ///< The outline or a hole took part of it.
@@ -22,11 +22,12 @@ enum class StoneKind {
 /// The word that files use for it, "whole" or "cut".
 std::string_view name_of(StoneKind kind);
 
-/// What of a pavement a stone is of. More may come with a minor version.
+/// The part of a pavement that a stone belongs to. More may come with a minor version.
 enum class StonePart {
   field,   ///< The bond.
   border,  ///< The course along the border.
   kerb,    ///< A kerb along the outline, outside: a pavement of its own in the model.
+  step,    ///< A step of a flight: each is a pavement of its own in the model.
 };
 
 /// The word that files use for it, such as "border".
@@ -36,7 +37,7 @@ std::string_view name_of(StonePart part);
 struct Stone {
   int id = 0;                         ///< Unique in its pavement, rising; those of stones that are missing are left out.
   StoneKind kind = StoneKind::whole;  ///< Whether it was cut.
-  StonePart part = StonePart::field;  ///< What it is of.
+  StonePart part = StonePart::field;  ///< The part that it belongs to.
   Polygon outline_mm;                 ///< Its face before edges are rounded: counter-clockwise, in whole µm.
   double angle_deg = 0.0;             ///< Of the row it lies in, counter-clockwise from +x.
 

@@ -1,7 +1,7 @@
 /// \file
 /// A scene: what is asked for.
 ///
-/// A scene is told in one language everywhere, its keys: in scene files (TOML), by the command's `--set KEY=VALUE`, and here by
+/// A scene is described by its keys, which are the same everywhere: in scene files (TOML), in `--set KEY=VALUE`, and here in
 /// Scene::set. docs/scene-file.md has every key with its range, default and effect; there is no struct to be kept in step with
 /// it. A path of keys has a '.' between them, and the name or the index of an element after a list:
 /// `pane.window.thickness_mm`, `pane[0].impact[1].at_mm`.
@@ -117,17 +117,17 @@ class Scene {
   /// made, as far as that can be told without making it.
   void check() const;
 
-  /// Names the files that are made of it.
+  /// The name of the scene, which names the files that are made of it.
   const std::string& name() const;
-  /// Throws as check() does.
+  /// The seed. Throws as check() does.
   std::uint64_t seed() const;
-  /// What should be told: keys without effect, what a plan was taken for, things of which nothing will be laid. Throws as
+  /// Notes: keys without effect, how a plan was read, things of which nothing will be laid. Throws as
   /// check() does.
   std::vector<Note> notes() const;
   /// Names of the panes, in order. Throws as check() does.
   std::vector<std::string> pane_names() const;
   /// Names of the pavements, in order: a plan may hold several areas, each a pavement of its own, and so is each step of a
-  /// flight. Kerbs are none of the scene, but of the model. Throws as check() does.
+  /// flight. Kerbs are pavements of the model only. Throws as check() does.
   std::vector<std::string> pavement_names() const;
 
  private:

@@ -4,7 +4,7 @@
 
 /// shatterpave as a library.
 ///
-/// A scene (scene.h) is told by its keys, generate (generate.h) makes a model (model.h) of it, and export.h makes files of
+/// A scene (scene.h) is described by its keys, generate (generate.h) makes a model (model.h) of it, and export.h makes files of
 /// that. Each step takes plain values and returns plain values; headers include nothing but the standard library.
 ///
 ///     #include <shatterpave/shatterpave.h>
@@ -14,7 +14,7 @@
 ///     scene.add_impact("window", {500, 400});
 ///     shatterpave::write_targets(shatterpave::generate(scene), {"povray"}, "out");
 ///
-/// Lengths are millimetres, angles degrees. What goes wrong is thrown (error.h). The same scene, seed and version give the same
+/// Lengths are millimetres, angles degrees. Errors are exceptions (error.h). The same scene, seed and version give the same
 /// results, bit by bit, with any number of threads, in any locale, on any x86-64 processor.
 namespace shatterpave {}
 

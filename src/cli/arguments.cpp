@@ -1,19 +1,25 @@
 #include "cli/arguments.h"
 
 #include <fmt/format.h>
-#include <shatterpave/version.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
+#include "cli/built_with.h"
+#include "cli/command_line.h"
+#include "cli/manual.h"
 #include "cli/usage.h"
 #include "core/error.h"
-#include "core/words.h"
+#include "export/svg/sheet_svg.h"
 #include "export/targets.h"
 #include "glass/growth/counts.h"
+#include "pipeline/farm.h"
+#include "scene/frame_range.h"
 #include "scene/schema/key_tables.h"
 
 namespace shatterpave::cli {
@@ -22,106 +28,14 @@ namespace {
 
 // In the order of their enumeration.
 constexpr std::array<std::string_view, 2> quality_names = {"draft", "final"};
+constexpr std::array<std::string_view, 4> progress_names = {"bar", "lines", "openjd", "none"};
+
+constexpr std::array<std::string_view, 3> polarity_names = {"bright", "dark", "both"};
+constexpr std::array<std::string_view, 2> chain_names = {"robust", "paper"};
 
 constexpr int most_threads = 1024;
+constexpr int largest_port = 65535;
 constexpr int most_pixels = 16384;  // a side; POV-Ray keeps the whole picture in memory
-
-// All that may be asked for, as it was written: CLI11 only takes the words apart, so that messages are ours.
-struct Requests {
-  Texts scenes;
-  Texts sets;
-  Texts seeds;
-  Texts outputs;
-  Texts targets;
-  Texts threads;
-  Texts qualities;
-  Texts sizes;
-  Texts seed_counts;
-  Texts radials;
-  bool keys_as_json = false;
-  bool keys_as_markdown = false;
-};
-
-void add(CLI::App& command, const char* name, Texts& texts, const char* value, const std::string& sentence) {
-  command.add_option(name, texts, sentence)
-      ->type_name(value)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-void add_scene_options(CLI::App& command, Requests& requests) {
-  add(command, "SCENE.toml", requests.scenes, "", "The scene file");
-  add(command, "--set", requests.sets, "KEY=VALUE",
-      "Set a value of the scene: KEY=VALUE, such as pane[0].thickness_mm=3; may be repeated");
-  add(command, "--seed", requests.seeds, "N", "The seed, instead of the scene's");
-}
-
-void add_threads(CLI::App& command, Requests& requests) {
-  add(command, "--threads", requests.threads, "N", "Number of threads; 0, the default, takes all processors");
-}
-
-void add_output(CLI::App& command, Requests& requests) {
-  add(command, "-o", requests.outputs, "DIR", "The output folder; made if it is missing");
-}
-
-// The names of all targets, in the order of their table.
-std::vector<std::string_view> target_names() {
-  std::vector<std::string_view> names;
-  for (const exporting::Target* target : exporting::targets()) names.push_back(target->name);
-  return names;
-}
-
-void add_targets(CLI::App& command, Requests& requests) {
-  std::vector<std::string_view> names = target_names();
-  const std::string first = fmt::format("{} (the default)", names.front());
-  names.front() = first;
-  add(command, "--target", requests.targets, "TARGET", fmt::format("{}; may be repeated", listed(names, "or")));
-  std::string sentences = "Targets:\n";
-  for (const exporting::Target* target : exporting::targets()) {
-    sentences += fmt::format("  {:<28}{}\n", target->name, target->sentence);
-  }
-  command.footer(sentences);
-}
-
-void add_export(CLI::App& app, Requests& requests) {
-  CLI::App* command = app.add_subcommand("export", "Write what renderers and other programs read");
-  add_scene_options(*command, requests);
-  add_output(*command, requests);
-  add_targets(*command, requests);
-  add_threads(*command, requests);
-}
-
-void add_check(CLI::App& app, Requests& requests) {
-  CLI::App* command = app.add_subcommand("check", "Validate a scene file, and say in a line what it holds; writes nothing");
-  add_scene_options(*command, requests);
-  add_targets(*command, requests);
-}
-
-void add_render(CLI::App& app, Requests& requests) {
-  CLI::App* command = app.add_subcommand("render", "Render the scene's still by POV-Ray: DIR/SCENE.exr and DIR/SCENE.png");
-  add_scene_options(*command, requests);
-  add_output(*command, requests);
-  add(*command, "--quality", requests.qualities, "QUALITY", "draft (the default, 640x480) or final (1200x900)");
-  add(*command, "--size", requests.sizes, "WxH", "Size of the picture in pixels");
-  add_threads(*command, requests);
-}
-
-void add_measure(CLI::App& app, Requests& requests) {
-  CLI::App* command = app.add_subcommand(
-      "measure", "Measure the scene's panes and pavements over many seeds, and hold them against their sources");
-  add_scene_options(*command, requests);
-  add_output(*command, requests);
-  add(*command, "--seeds", requests.seed_counts, "N", "Number of seeds, from the scene's (or --seed) on; default 1");
-  add(*command, "--radials", requests.radials, "LOW..HIGH",
-      "Numbers of radial cracks, from LOW for the first seed to HIGH for the last, instead of what the scene says");
-  add_threads(*command, requests);
-}
-
-void add_keys(CLI::App& app, Requests& requests) {
-  CLI::App* command = app.add_subcommand("keys", "List every key of scene files: type, range, default, and what it does");
-  command->add_flag("--json", requests.keys_as_json, "As JSON");
-  command->add_flag("--markdown", requests.keys_as_markdown, "As the tables of docs/scene-file.md");
-}
 
 std::vector<scene::Override> overrides_of(const Requests& requests) {
   std::vector<scene::Override> overrides;
@@ -202,18 +116,67 @@ void read_sweep(const Requests& requests, pipeline::MeasureOptions& options) {
   options.sweep = measure::Sweep{static_cast<int>(*low), static_cast<int>(*high)};
 }
 
+// 1:N, by which the target svg draws a sheet.
+std::optional<double> scale_of(const Requests& requests, const Targets& targets) {
+  const auto text = the_only(requests.sheet_scales, "--scale");
+  if (!text) return std::nullopt;
+  const std::string expected =
+      fmt::format("1:N, N a number from {} to {}, such as 1:50", exporting::svg::largest_scale, exporting::svg::smallest_scale);
+  double scale = 0.0;
+  if (!text->starts_with("1:")) refuse_usage("--scale", expected, in_quotes(*text));
+  const char* const end = text->data() + text->size();
+  const auto [stop, error] = std::from_chars(text->data() + 2, end, scale);
+  if (error != std::errc{} || stop != end ||
+      !(scale >= exporting::svg::largest_scale && scale <= exporting::svg::smallest_scale)) {
+    refuse_usage("--scale", expected, in_quotes(*text));
+  }
+  const bool draws = std::ranges::any_of(targets, [](const exporting::Target* target) { return target->name == "svg"; });
+  if (!draws) refuse_usage("--scale", "--target svg, which draws the sheet", "it without");
+  return scale;
+}
+
+std::optional<std::vector<int>> frames_of(const Requests& requests) {
+  const auto text = the_only(requests.frames, "--frames");
+  if (!text) return std::nullopt;
+  return scene::frames_of_range(*text, Place{"shatterpave: --frames", 0, 0, ""});
+}
+
+pipeline::RenderOptions render_options_of(const Requests& requests) {
+  pipeline::RenderOptions options;
+  options.threads = threads_of(requests);
+  if (const auto quality = the_only(requests.qualities, "--quality")) {
+    options.quality = static_cast<pipeline::Quality>(choice_of(*quality, "--quality", quality_names));
+  }
+  read_size(requests, options);
+  return options;
+}
+
 Command export_of(const Requests& requests) {
-  return Export{scene_of(requests, "export"), overrides_of(requests), output_of(requests, "export"),
-                targets_of(requests.targets), threads_of(requests)};
+  const Targets targets = targets_of(requests.targets);
+  return Export{scene_of(requests, "export"), overrides_of(requests), output_of(requests, "export"), targets,
+                frames_of(requests),          threads_of(requests),   scale_of(requests, targets)};
 }
 
 Command render_of(const Requests& requests) {
-  Render job{scene_of(requests, "render"), overrides_of(requests), output_of(requests, "render"), {}};
-  job.options.threads = threads_of(requests);
-  if (const auto quality = the_only(requests.qualities, "--quality")) {
-    job.options.quality = static_cast<pipeline::Quality>(choice_of(*quality, "--quality", quality_names));
+  Render job{scene_of(requests, "render"), overrides_of(requests), output_of(requests, "render"), render_options_of(requests)};
+  job.frames = frames_of(requests);
+  job.skip_existing = requests.skip_existing;
+  if (job.skip_existing && !job.frames) refuse_usage("--skip-existing", "--frames beside it", "none");
+  if (const auto form = the_only(requests.progress, "--progress")) {
+    job.progress = static_cast<ProgressForm>(choice_of(*form, "--progress", progress_names));
   }
-  read_size(requests, job.options);
+  return job;
+}
+
+Command farm_of(const Requests& requests) {
+  Farm job{scene_of(requests, "farm"), overrides_of(requests), output_of(requests, "farm"), render_options_of(requests)};
+  job.frames = frames_of(requests);
+  const auto system = the_only(requests.systems, "--system");
+  if (!system) refuse_usage("farm", "--system SYSTEM, the render farm", "none");
+  job.system = choice_of(*system, "--system", pipeline::farm_systems);
+  if (const auto chunk = the_only(requests.chunks, "--chunk")) {
+    job.chunk = static_cast<int>(whole_number_of(*chunk, "--chunk", {1, pipeline::most_chunk}));
+  }
   return job;
 }
 
@@ -230,10 +193,94 @@ Command measure_of(const Requests& requests) {
   return Measure{scene, overrides_of(requests), output, options, threads_of(requests)};
 }
 
+std::vector<std::filesystem::path> files_of(const Requests& requests, const std::string& command, std::string_view expected) {
+  if (requests.files.empty()) refuse_usage(command, expected, "none");
+  std::vector<std::filesystem::path> files;
+  for (const std::string& file : requests.files) {
+    if (file.empty()) refuse_usage(command, expected, "an empty name");
+    files.emplace_back(file);
+  }
+  return files;
+}
+
+// Two numbers with a comma between them.
+vec2 pair_of(const std::string& text, std::string_view option, double low, double high) {
+  const std::size_t comma = text.find(',');
+  const auto x = real_number(std::string_view(text).substr(0, comma), low, high);
+  const auto y = comma == std::string::npos ? std::nullopt : real_number(std::string_view(text).substr(comma + 1), low, high);
+  if (!x || !y)
+    refuse_usage(option, fmt::format("two numbers from {} to {} with a comma between them", low, high), in_quotes(text));
+  return {*x, *y};
+}
+
+void read_pane_size(const Requests& requests, trace::Options& options) {
+  constexpr double least = 1.0;
+  constexpr double most = 100'000.0;
+  if (const auto size = the_only(requests.pane_sizes, "--pane-mm")) options.pane_mm = pair_of(*size, "--pane-mm", least, most);
+  const auto scale = the_only(requests.scales, "--mm-per-px");
+  if (!scale) return;
+  if (options.pane_mm) refuse_usage("--mm-per-px", "it or --pane-mm", "both");
+  options.mm_per_px = real_number(*scale, 1e-4, 1000.0);
+  if (!options.mm_per_px) refuse_usage("--mm-per-px", "a number from 0.0001 to 1000", in_quotes(*scale));
+}
+
+void read_corners(const Requests& requests, trace::Options& options) {
+  if (requests.corners.empty()) return;
+  if (requests.corners.size() != 4) {
+    refuse_usage("--corners", "four corners X,Y", fmt::format("{}", requests.corners.size()));
+  }
+  trace::Corners corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = pair_of(requests.corners[i], "--corners", -1e5, 1e5);
+  options.corners_px = corners;
+}
+
+Command trace_of(const Requests& requests) {
+  Trace job{files_of(requests, "trace", "a photograph"), output_of(requests, "trace"), {}, {}, threads_of(requests)};
+  read_pane_size(requests, job.options);
+  read_corners(requests, job.options);
+  if (const auto at = the_only(requests.impacts, "--impact")) job.options.impact_px = pair_of(*at, "--impact", -1e5, 1e5);
+  if (const auto chain = the_only(requests.chains, "--chain")) {
+    job.options.chain = static_cast<trace::Chain>(choice_of(*chain, "--chain", chain_names));
+  }
+  if (const auto polarity = the_only(requests.polarities, "--polarity")) {
+    job.options.polarity = static_cast<trace::Polarity>(choice_of(*polarity, "--polarity", polarity_names));
+  }
+  if (const auto level = the_only(requests.thresholds, "--threshold")) {
+    job.options.threshold = static_cast<int>(whole_number_of(*level, "--threshold", {0, 255}));
+    if (requests.chains.empty()) job.options.chain = trace::Chain::paper;  // only there is a threshold
+    if (job.options.chain != trace::Chain::paper) refuse_usage("--threshold", "--chain paper beside it", "--chain robust");
+  }
+  for (const Texts* texts : {&requests.pane_sizes, &requests.corners, &requests.scales, &requests.impacts, &requests.thresholds,
+                             &requests.polarities, &requests.chains}) {
+    for (const std::string& text : *texts) job.words += text + " ";
+    job.words += "\n";
+  }
+  return job;
+}
+
+Command fit_of(const Requests& requests) {
+  const auto file = the_only(requests.outputs, "-o");
+  if (!file || file->empty()) refuse_usage("fit", "-o SCENE.toml, the scene file", "none");
+  return Fit{files_of(requests, "fit", "a traced pane, TRACE.json"), *file, threads_of(requests)};
+}
+
+Command serve_of(const Requests& requests) {
+  Serve job{scene_of(requests, "serve"), default_port};
+  if (const auto port = the_only(requests.ports, "--port")) {
+    job.port = static_cast<int>(whole_number_of(*port, "--port", {0, largest_port}));
+  }
+  return job;
+}
+
 Command keys_of(const Requests& requests) {
   if (requests.keys_as_json && requests.keys_as_markdown) refuse_usage("keys", "--json or --markdown", "both");
   if (requests.keys_as_json) return Show{scene::keys_json()};
   return Show{requests.keys_as_markdown ? scene::keys_markdown() : scene::keys_text()};
+}
+
+Command manual_of(const CLI::App& app, const Requests& requests) {
+  const auto form = the_only(requests.manual_forms, "--form");
+  return Show{manual(app, form ? choice_of(*form, "--form", manual_forms) : 0)};
 }
 
 }  // namespace
@@ -241,13 +288,9 @@ Command keys_of(const Requests& requests) {
 Command command_of(int argc, const char* const* argv) {
   CLI::App app("Shattered window glass and stone paving for offline renderers.", "shatterpave");
   app.require_subcommand(0, 1);
-  app.set_version_flag("--version", "shatterpave " SHATTERPAVE_VERSION);
+  app.set_version_flag("--version", version_text());
   Requests requests;
-  add_export(app, requests);
-  add_check(app, requests);
-  add_keys(app, requests);
-  add_measure(app, requests);
-  add_render(app, requests);
+  add_commands(app, requests);
   const Texts words(argv + 1, argv + argc);
   require_known_words(app, words);
   try {
@@ -255,7 +298,7 @@ Command command_of(int argc, const char* const* argv) {
   } catch (const CLI::CallForHelp&) {
     return Show{app.help()};
   } catch (const CLI::CallForVersion& version) {
-    return Show{std::string(version.what()) + "\n"};
+    return Show{version.what()};
   } catch (const CLI::ParseError& error) {
     refuse_parsed(error);
   }
@@ -264,7 +307,12 @@ Command command_of(int argc, const char* const* argv) {
     return Check{scene_of(requests, command), overrides_of(requests), targets_of(requests.targets)};
   }
   if (command == "export") return export_of(requests);
+  if (command == "farm") return farm_of(requests);
   if (command == "keys") return keys_of(requests);
+  if (command == "manual") return manual_of(app, requests);
+  if (command == "serve") return serve_of(requests);
+  if (command == "trace") return trace_of(requests);
+  if (command == "fit") return fit_of(requests);
   return command == "measure" ? measure_of(requests) : render_of(requests);
 }
 

@@ -20,12 +20,15 @@
 #include "core/cancel.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "pipeline/fit.h"
 #include "pipeline/generate.h"
+#include "pipeline/lines.h"
 #include "pipeline/measure.h"
 #include "pipeline/outlook.h"
 #include "pipeline/render.h"
 #include "pipeline/write.h"
 #include "report/measures.h"
+#include "report/trace_files.h"
 #include "scene/read_scene.h"
 
 namespace {
@@ -36,29 +39,44 @@ enum ExitStatus { done = 0, program_failed = 1, input_wrong = 2, renderer_failed
 
 void run(const cli::Export& job, char** argv) {
   using exporting::Target;
-  if (std::ranges::any_of(job.targets, &Target::has_rasters)) {
+  if (std::ranges::any_of(job.targets, &Target::has_rasters) || cli::may_have_environment(job.scene, job.overrides)) {
+    cli::run_with_rasters(job, argv);
+    return;
+  }
+  const auto append = [](const Target& target, const exporting::Model& model, exporting::Outputs& outputs) {
+    target.append(model, outputs);
+  };
+  cli::export_scene(job, append, nullptr);
+}
+
+void run(const cli::Check& job, char** argv) {
+  if (cli::may_have_environment(job.scene, job.overrides)) {
     cli::run_with_rasters(job, argv);
   } else {
-    cli::export_scene(job, [](const Target& target, const exporting::Model& model, exporting::Outputs& outputs) {
-      target.append(model, outputs);
-    });
+    cli::check_scene(job, nullptr);
   }
 }
 
-void run(const cli::Check& job, char** /*argv*/) {
-  const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
-  pipeline::require_possible(scene);
-  cli::require_for_targets(scene, job.targets);
-  cli::tell(scene.notes);
-  cli::tell(pipeline::emptiness(scene));
-  cli::print(fmt::format("{}: {}\n", job.scene.string(), pipeline::summary(scene)));
-}
-
 void run(const cli::Render& job, char** argv) { cli::run_with_rasters(job, argv); }
+void run(const cli::Farm& job, char** argv) { cli::run_with_rasters(job, argv); }
+void run(const cli::Serve& job, char** argv) { cli::run_with_rasters(job, argv); }
+
+void run(const cli::Trace& job, char** argv) { cli::run_with_rasters(job, argv); }
+
+void run(const cli::Fit& job, char** /*argv*/) {
+  const ThreadLimit limit(job.threads);
+  cli::ProgressBar bar;
+  pipeline::write_fitted_scene(job.traces, job.output, bar.progress());
+  cli::print_paths({job.output});
+}
 
 void run(const cli::Measure& job, char** /*argv*/) {
   const ThreadLimit limit(job.threads);
-  const scene::Scene scene = scene::scene_of_file(job.scene, job.overrides);
+  const bool of_lines = pipeline::is_file_of_lines(job.scene);
+  if (of_lines && !job.overrides.empty()) {
+    throw InputError(Place{job.scene.string(), 0, 0, ""}, "expected no --set and no --seed beside lines from a file, got one");
+  }
+  const scene::Scene scene = of_lines ? pipeline::scene_of_lines(job.scene) : scene::scene_of_file(job.scene, job.overrides);
   pipeline::require_possible(scene);
   cli::tell(scene.notes);
   cli::tell(pipeline::emptiness(scene));
@@ -67,6 +85,10 @@ void run(const cli::Measure& job, char** /*argv*/) {
   {
     cli::ProgressBar bar;
     files = reporting::measures_files(pipeline::surveyed(scene, job.options, bar.progress()));
+  }
+  if (of_lines) {
+    files.push_back(reporting::figures_csv(scene.name, scene.panes));
+    files.push_back(reporting::experiment_csv());
   }
   if (!reporting::has_plots()) {
     cli::tell("shatterpave: the report was left out, since this build has no plotting library (see docs/measure.md)\n");
@@ -78,7 +100,7 @@ void run(const cli::Measure& job, char** /*argv*/) {
 
 void run(const cli::Show& show, char** /*argv*/) { cli::print(show.text); }
 
-// Whether it lies with the folder or file that was named: then the input is wrong. A full disk, for one, is not.
+// Whether the error is due to the folder or file that was named, so that the input is wrong. A full disk is none of these.
 bool is_of_the_path(const std::error_code& code) {
   constexpr std::array reasons = {
       std::errc::permission_denied,      std::errc::operation_not_permitted, std::errc::read_only_file_system,

@@ -1,4 +1,4 @@
-// In `shatterpave`: becomes `shatterpave-rasters`, which stands in the same folder.
+// In `shatterpave`: replaces itself with `shatterpave-rasters`, which lies in the same folder.
 #include <unistd.h>
 
 #include <cerrno>
@@ -20,6 +20,10 @@ void hand_over(char** argv) {
 }  // namespace
 
 void run_with_rasters(const Export& /*job*/, char** argv) { hand_over(argv); }
+void run_with_rasters(const Check& /*job*/, char** argv) { hand_over(argv); }
 void run_with_rasters(const Render& /*job*/, char** argv) { hand_over(argv); }
+void run_with_rasters(const Trace& /*job*/, char** argv) { hand_over(argv); }
+void run_with_rasters(const Farm& /*job*/, char** argv) { hand_over(argv); }
+void run_with_rasters(const Serve& /*job*/, char** argv) { hand_over(argv); }
 
 }  // namespace shatterpave::cli

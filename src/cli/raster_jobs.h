@@ -9,8 +9,12 @@
 
 namespace shatterpave::cli {
 
-// Does the job, or becomes the program that does it with the arguments `argv`.
+// Does the job, or replaces this program with the one that does it, with the arguments `argv`.
 void run_with_rasters(const Export& job, char** argv);
+void run_with_rasters(const Check& job, char** argv);
 void run_with_rasters(const Render& job, char** argv);
+void run_with_rasters(const Trace& job, char** argv);
+void run_with_rasters(const Farm& job, char** argv);
+void run_with_rasters(const Serve& job, char** argv);
 
 }  // namespace shatterpave::cli

@@ -48,10 +48,15 @@ void tell(const std::vector<Note>& notes) {
   if (!lines.empty()) tell(lines);
 }
 
-ProgressBar::ProgressBar()
-    : terminal_(::isatty(STDERR_FILENO) == 1),
+bool draws_bar(ProgressForm form) {
+  return (form == ProgressForm::bar || form == ProgressForm::automatic) && ::isatty(STDERR_FILENO) == 1;
+}
+
+ProgressBar::ProgressBar(ProgressForm form)
+    : terminal_(draws_bar(form)),
+      silent_(form == ProgressForm::none),
       report_([] { return std::chrono::steady_clock::now(); }, [](const std::string& line) { tell(line); }) {
-  if (!terminal_) heartbeat_.emplace(std::chrono::seconds(1), [this] { report_.tick(); });
+  if (!terminal_ && !silent_) heartbeat_.emplace(std::chrono::seconds(1), [this] { report_.tick(); });
 }
 
 ProgressBar::~ProgressBar() {
@@ -59,6 +64,7 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::show(std::string_view what, double part) {
+  if (silent_) return;
   if (!terminal_) {
     report_.take(what, part);
     return;

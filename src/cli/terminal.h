@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/progress_form.h"
 #include "cli/progress_report.h"
 #include "core/notes.h"
 #include "core/parallel.h"
@@ -22,10 +23,14 @@ void tell(std::string_view text);
 // A line for each note, to standard error; of many the first ones and how many more there are.
 void tell(const std::vector<Note>& notes);
 
+// Whether that form is a bar here.
+bool draws_bar(ProgressForm form);
+
 // A bar on a terminal, which is taken away when it dies; elsewhere a line from time to time (progress_report.h).
 class ProgressBar {
  public:
-  ProgressBar();
+  // In place of a bar, none of it where the form says so; without a terminal `lines` and `automatic` are the same.
+  explicit ProgressBar(ProgressForm form = ProgressForm::automatic);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -37,6 +42,7 @@ class ProgressBar {
   void show(std::string_view what, double part);
 
   bool terminal_;
+  bool silent_;
   bool shown_ = false;
   ProgressReport report_;
   std::optional<Heartbeat> heartbeat_;  // long work may have nothing to say for minutes

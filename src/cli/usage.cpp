@@ -17,10 +17,6 @@ constexpr std::string_view program = "shatterpave";
 
 std::vector<std::string_view> views(const Texts& texts) { return {texts.begin(), texts.end()}; }
 
-std::vector<const CLI::App*> commands(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
 // "--target", "-o".
 Texts option_names(const CLI::App& command) {
   Texts names;
@@ -88,6 +84,10 @@ void require_value(const CLI::App& command, const CLI::Option& option, const Opt
 
 }  // namespace
 
+std::vector<const CLI::App*> commands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
 void refuse_usage(std::string_view what, std::string_view expected, std::string_view got) {
   throw InputError(fmt::format("{}: {}: expected {}, got {}", program, what, expected, got));
 }
@@ -114,6 +114,13 @@ std::int64_t whole_number_of(std::string_view text, std::string_view option, con
   return *value;
 }
 
+std::optional<double> real_number(std::string_view text, double low, double high) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !(value >= low && value <= high)) return std::nullopt;
+  return value;
+}
+
 std::size_t choice_of(std::string_view text, std::string_view option, std::span<const std::string_view> names) {
   const auto at = std::ranges::find(names, text);
   if (at != names.end()) return static_cast<std::size_t>(at - names.begin());
@@ -137,7 +144,14 @@ std::size_t words_of_option(const CLI::App& app, const CLI::App& command, const 
   const CLI::Option& option = *option_of(command, given.name);
   if (option.get_items_expected_min() == 0) return 1;
   require_value(command, option, given, i + 1 < words.size() ? std::optional(words[i + 1]) : std::nullopt);
-  return given.value ? 1 : 2;
+  return static_cast<std::size_t>(option.get_items_expected_min()) + (given.value ? 0 : 1);
+}
+
+// Whether the command takes several files.
+bool takes_files(const CLI::App& command) {
+  const std::vector<const CLI::Option*> options = command.get_options();
+  return std::ranges::any_of(
+      options, [](const CLI::Option* option) { return option->get_positional() && option->get_items_expected_max() > 1; });
 }
 
 }  // namespace
@@ -161,7 +175,7 @@ void require_known_words(const CLI::App& app, const Texts& words) {
     }
     ++i;
   }
-  if (scenes.size() < 2) return;
+  if (scenes.size() < 2 || takes_files(command)) return;
   refuse_usage(command.get_name(), "one scene file",
                fmt::format("{}: {} and {}", scenes.size(), in_quotes(scenes[0]), in_quotes(scenes[1])));
 }

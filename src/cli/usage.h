@@ -16,6 +16,9 @@ namespace shatterpave::cli {
 
 using Texts = std::vector<std::string>;
 
+// In the order in which they were added.
+std::vector<const CLI::App*> commands(const CLI::App& app);
+
 // Throws InputError: "shatterpave: WHAT: expected …, got …".
 [[noreturn]] void refuse_usage(std::string_view what, std::string_view expected, std::string_view got);
 
@@ -33,6 +36,9 @@ struct WholeRange {
 std::optional<std::int64_t> whole_number(std::string_view text, const WholeRange& range);
 // The same of an option, which refuses what is none.
 std::int64_t whole_number_of(std::string_view text, std::string_view option, const WholeRange& range);
+
+// A number written in digits, with a sign, point and exponent; nothing where `text` is something else or out of range.
+std::optional<double> real_number(std::string_view text, double low, double high);
 
 // The index of `text` among `names`.
 std::size_t choice_of(std::string_view text, std::string_view option, std::span<const std::string_view> names);

@@ -7,12 +7,12 @@
 
 namespace shatterpave {
 
-// Asked from time to time, on any thread, whether work shall stop; may be empty. Once it says yes it must go on saying so.
+// Tells, when asked from time to time on any thread, whether work shall stop; may be empty. A yes must stay a yes.
 using Cancelled = std::function<bool()>;
 
-// While it lives, `cancelled` is asked before each call that a `parallel_for` makes, and by `stop_if_cancelled`, for the work
-// of the thread that made it, on whichever threads a `parallel_for` does that. The innermost counts. Scopes of several threads
-// know nothing of one another.
+// While this object lives, each `parallel_for` asks `cancelled` before each of its calls, and so does `stop_if_cancelled`.
+// That holds for the work of the thread that made it, on whichever threads a `parallel_for` runs that work. Of nested scopes
+// the innermost counts; scopes of different threads are independent.
 class CancelScope {
  public:
   explicit CancelScope(Cancelled cancelled);
@@ -25,13 +25,13 @@ class CancelScope {
   const Cancelled* outer_;
 };
 
-// Throws Interrupted if a CancelScope lives and its work shall stop. For loops that take long and are no `parallel_for`.
+// Throws Interrupted if a CancelScope of this thread wants its work stopped. For long loops outside of `parallel_for`.
 void stop_if_cancelled();
 
-// What the innermost scope of this thread asks; null where there is none. For who hands work over to other threads.
+// The question that this thread's innermost scope asks; null without one. For code that hands work over to other threads.
 const Cancelled* current_cancelled();
 
-// While it lives, this thread works for the thread that `cancelled` is the current one of.
+// While this object lives, this thread works on behalf of the thread whose innermost scope asks `cancelled`.
 class CancelHandOver {
  public:
   explicit CancelHandOver(const Cancelled* cancelled);

@@ -1,5 +1,5 @@
-// Sets of whole numbers that are joined step by step (union–find); each is known by its least member, in whatever order they
-// were joined.
+// Sets of whole numbers that are joined step by step (union–find). A set is known by its least member, whatever the order in
+// which its members were joined.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace shatterpave {
 
 class DisjointSets {
  public:
-  // 0 … count − 1, each by itself.
+  // Starts with the sets {0} … {count − 1}.
   explicit DisjointSets(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), std::size_t{0}); }
 
   // The least member of the set that `i` is in.
@@ -19,7 +19,7 @@ class DisjointSets {
     while (above_[i] != i) i = above_[i];
     return i;
   }
-  // The same, and it shortens the way there for the next time.
+  // The same; it also shortens the path to that member for later calls.
   std::size_t of(std::size_t i) {
     while (above_[i] != i) i = above_[i] = above_[above_[i]];
     return i;
@@ -32,7 +32,7 @@ class DisjointSets {
   }
 
  private:
-  std::vector<std::size_t> above_;  // one of the same set, no greater; itself where it is the least
+  std::vector<std::size_t> above_;  // a smaller member of the same set; itself if it is the least
 };
 
 }  // namespace shatterpave

@@ -1,5 +1,5 @@
-// Text files that are part of the binary: the templates, and the report's plotting library where it was to be had at build time
-// (see cmake/embed.cmake and cmake/plots.cmake).
+// Text files that are part of the binary: the templates, and the report's plotting library if it could be had when the program
+// was built (see cmake/embed.cmake and cmake/plots.cmake).
 #pragma once
 
 #include <span>

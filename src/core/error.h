@@ -1,7 +1,7 @@
-// The two ways in which something can be wrong: the input, and the program.
+// The two kinds of failure: wrong input, and a fault of the program.
 //
-// InputError, and Place, are part of the public face: shatterpave/error.h. A room that knows no file gives the thing's name and
-// the member's path for a key, `window.impact[1].at_mm`; who has the scene file puts the place there (scene/toml/key_places.h).
+// InputError and Place are in the public header shatterpave/error.h. A room that knows no file gives the thing's name and the
+// member's path as the key, `window.impact[1].at_mm`; code that has the scene file adds the place (pipeline/placed.h).
 #pragma once
 
 #include <shatterpave/error.h>
@@ -10,7 +10,7 @@
 
 namespace shatterpave {
 
-// A promise of this program that does not hold: exit status 1 (bad input: 2). Never the user's fault.
+// Thrown where a promise of this program does not hold: its own fault, never the user's. Exit status 1 (bad input: 2).
 class BrokenInvariant : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -20,6 +20,6 @@ class BrokenInvariant : public std::logic_error {
 
 }  // namespace shatterpave
 
-// Checked in every build. For what must hold if the code is right; never for input.
+// Checks, in every build, a condition that holds if the code is right. Never for input.
 #define ENSURE(condition) \
   ((condition) ? static_cast<void>(0) : ::shatterpave::throw_broken_invariant(#condition, __FILE_NAME__, __LINE__))

@@ -1,7 +1,7 @@
 // Elementary functions whose every bit is the same on every x86-64 processor.
 //
-// The C library's sin, exp, pow … are chosen at run time by what the processor can do, and differ in the last bit; growth
-// of cracks is chaotic, so a last bit becomes another picture. These are SLEEF's functions without FMA (suffix purec,
+// The C library chooses its sin, exp, pow … at run time by what the processor can do, and they differ in the last bit; growth
+// of cracks is chaotic, so another last bit becomes another picture. These are SLEEF's functions without FMA (suffix purec,
 // prefix cinz: "consistent, no FMA"), with at most 1 ulp of error. +, −, ×, ÷ and std::sqrt are exact by IEEE 754 and
 // are used as they are. Nothing else in the project may call the C library's functions.
 #pragma once

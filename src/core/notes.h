@@ -1,4 +1,4 @@
-// What the reader of an input should be told although nothing is wrong enough to refuse it: Note, of shatterpave/error.h.
+// Notes (shatterpave/error.h): what the author of an input should be told although the input is accepted.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ std::string located(const Place& place, const std::string& message);
 // One line, `file:line:column: key: note: …`, with the parts that are known.
 std::string located(const Note& note);
 
-// Adds the note if the same is not there yet.
+// Adds the note unless an equal one is there already.
 void add_note(Note note, std::vector<Note>& notes);
 
 }  // namespace shatterpave

@@ -1,4 +1,4 @@
-// One function of several, for std::visit: it compiles only where each alternative has one.
+// Makes one function object of several, for std::visit, which compiles only if every alternative is handled.
 #pragma once
 
 namespace shatterpave {

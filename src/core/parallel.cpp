@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/background.h"
 #include "core/cancel.h"
 #include "core/error.h"
 
@@ -24,8 +25,8 @@ namespace {
 
 #ifdef __SANITIZE_THREAD__
 
-// ThreadSanitizer cannot see into Debian's oneTBB, and would report its handing over of tasks as races. Plain threads take its
-// place there, so that what is checked are the bodies.
+// ThreadSanitizer cannot see into Debian's oneTBB and would report the passing of tasks as races. Under it plain threads do
+// the work instead, so that the bodies of loops are still checked.
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& body) {
   std::atomic<std::size_t> next{0};
   std::mutex failing;
@@ -56,7 +57,7 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& b
 }
 
 void within_arena(int threads, const std::function<void()>& work) {
-  // oneTBB would write a warning to the terminal where more are asked for than it has.
+  // Asked for more threads than it has, oneTBB would write a warning to the terminal.
   const std::size_t most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   tbb::task_arena arena(threads > 0 ? static_cast<int>(std::min(most, static_cast<std::size_t>(threads)))
                                     : tbb::task_arena::automatic);
@@ -106,12 +107,24 @@ class Heartbeat::Thread {
  private:
   std::mutex mutex_;
   std::condition_variable_any waiting_;
-  std::jthread thread_;  // the last one: it ends before what it uses
+  std::jthread thread_;  // declared last, so that it ends before the members that it uses
 };
 
 Heartbeat::Heartbeat(std::chrono::milliseconds interval, std::function<void()> beat)
     : thread_(std::make_unique<Thread>(interval, std::move(beat))) {}
 
 Heartbeat::~Heartbeat() = default;
+
+class Background::Thread {
+ public:
+  explicit Thread(std::function<void(const std::stop_token&)> work)
+      : thread_([work = std::move(work)](const std::stop_token& stopped) { work(stopped); }) {}
+
+ private:
+  std::jthread thread_;
+};
+
+Background::Background(std::function<void(const std::stop_token&)> work) : thread_(std::make_unique<Thread>(std::move(work))) {}
+Background::~Background() = default;
 
 }  // namespace shatterpave

@@ -1,4 +1,4 @@
-// The one file with threads. One writer per slot; the number of threads must not show in any result.
+// Loops in parallel; no other file uses threads. Each slot has one writer, and no result depends on the number of threads.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace shatterpave {
 
-// Limits the threads of every `parallel_for` while it lives; 0 takes all processors.
+// While it lives, every `parallel_for` uses at most that many threads; 0: as many as there are processors.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -20,12 +20,12 @@ class ThreadLimit {
   void* control_;
 };
 
-// Does `work`, whose every `parallel_for` takes at most that many threads, and at most those that there are; 0 takes all
-// processors. Unlike with a ThreadLimit, other threads of the program have their own. An exception of `work` is thrown here.
+// Runs `work`, in which every `parallel_for` uses at most that many threads, and no more than there are; 0: one a processor.
+// Unlike a ThreadLimit this has no effect on other threads of the program. Rethrows an exception of `work`.
 void with_threads(int threads, const std::function<void()>& work);
 
 // Calls `body(i)` for every i in [0, count), in any order, on any thread. `body` may write only to slots of its own i.
-// An exception of a call is thrown here. Throws Interrupted, between calls, where a CancelScope says so (core/cancel.h).
+// Rethrows an exception of a call. Throws Interrupted, between calls, if a CancelScope asks for it (core/cancel.h).
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
 // As above for whole chunks [begin, end): for cheap bodies. Chunks are fixed, `chunk` long.

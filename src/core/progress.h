@@ -6,7 +6,7 @@
 
 namespace shatterpave {
 
-// Called with what is being done and how much of it is, in [0, 1]. May be empty. Called from one thread at a time.
+// Called with the name of the work in progress and the fraction done, in [0, 1]; by one thread at a time. May be empty.
 using Progress = std::function<void(std::string_view what, double done)>;
 
 }  // namespace shatterpave

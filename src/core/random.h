@@ -33,10 +33,14 @@ enum class Stream : std::uint32_t {
   stone_place = 30,  // size, rotation and offset of a stone
   stone_missing = 31,
   stone_sink = 32,
-  stone_arris = 36,  // arris, crown and warp of a stone with a finish
-  stone_chip = 37,   // chance, place and size of a chip on a side
-  ground = 38,       // heights of the ground
-  debris = 40,       // crushed zone and other litter about an impact
+  hand_line = 33,     // laid by hand: how far lines between stones are moved,
+  hand_corner = 34,   // where each corner of a stone lies
+  stone_hollow = 35,  // and which stones have sunk
+  stone_arris = 36,   // arris, crown and warp of a stone with a finish
+  stone_chip = 37,    // chance, place and size of a chip on a side
+  ground = 38,        // heights of the ground
+  colour_blur = 39,   // how far a stone's colour is off the order of the user's own colours
+  debris = 40,        // crushed zone and other litter about an impact
   shard_chip = 60,
   shard_missing = 61,  // whether a shard leaves the pane
   shard_fallen = 62,   // whether one that left it lies about
@@ -51,6 +55,10 @@ enum class Stream : std::uint32_t {
   radial_onset = 82,   // when a radial starts
   dice_seed = 83,      // seed of a fragment of tempered glass
   through = 84,        // whether a crack runs through laminated glass
+  radial_course = 85,  // radials of real panes: direction, reach, kinks
+  crack_chip = 86,     // lens-shaped chips at junctions of cracks
+  rung = 88,           // pieces across strips between radials
+  hole_outline = 87,   // the hole that shards leave: its arcs and cusps
 };
 
 // Identity of an element, made from what it *is*: its names and its places among its siblings, never from a running

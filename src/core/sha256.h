@@ -15,9 +15,9 @@ class Sha256 {
   Sha256& operator=(const Sha256&) = delete;
 
   void add(std::string_view bytes);
-  // With its length before it, so that two texts do not run into one another.
+  // Adds the length of the text, then the text, so that two texts do not run into one another.
   void add_text(std::string_view text);
-  // The sum of all bytes, as 64 digits of base 16. Nothing may be added after it.
+  // The sum of all bytes, as 64 hexadecimal digits. Nothing may be added after it.
   std::string sum();
 
  private:

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t longest_word = 64;
 
-// Edits from one word to the other: letters put in, left out, replaced, and neighbours that change places (the distance of
-// optimal string alignment).
+// The number of edits from one word to the other: letters inserted, left out, replaced, or swapped with a neighbour (the
+// distance of optimal string alignment).
 std::size_t edits(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -53,7 +53,7 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
   std::size_t fewest = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
     const std::size_t count = edits(word, candidate);
-    // Where every letter is another one, nothing is alike.
+    // If every letter differs, the words have nothing in common.
     if (count >= fewest || count >= std::max(word.size(), candidate.size())) continue;
     fewest = count;
     best = candidate;

@@ -1,8 +1,10 @@
 // What every exporter is given: the things that were asked for, and what was made of them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,20 +17,50 @@
 #include "paving/pavement.h"
 #include "paving/seamless.h"
 #include "paving/stones.h"
+#include "studio/camera.h"
+#include "studio/environment.h"
+#include "studio/light.h"
 
 namespace shatterpave::exporting {
+
+// The photograph that a pane was traced on. Pixels count from the upper left corner, x right and y down; the middle of the
+// first pixel is (0.5, 0.5).
+struct Photograph {
+  int width_px = 0;
+  int height_px = 0;
+  double mm_per_px = 1.0;                // of the picture once it is seen from straight ahead
+  vec2 impact_px{0.0, 0.0};              // in the photograph
+  std::array<vec2, 4> corners_px{};      // of the pane in the photograph: upper left, upper right, lower right, lower left
+  std::array<int, 2> radial_interval{};  // M lies between these: lines near the impact run together
+};
 
 struct BrokenPane {
   glass::Pane pane;
   glass::CrackNetwork network;
   std::vector<glass::Shard> shards{};  // where pane.shards asks for them
   glass::CrackSurfaces surfaces{};     // none unless the pane asks for sheets
+  std::optional<Photograph> photograph{};
+  // Where the shards that leave the pane are at each frame of the model's shot, by id; empty: nothing moves.
+  std::map<std::string, std::vector<glass::ShardPlace>> paths{};
+  std::string stem{};  // of the names of its files; empty: its name
 };
 
 struct PavedArea {
   paving::Pavement pavement;
   paving::StoneLayout layout;
   std::optional<paving::SeamlessTile> tile{};  // where its textures ask for one
+  std::string stem{};                          // as that of a pane
+};
+
+// What the names of files of the thing alone begin with.
+inline const std::string& stem_of(const BrokenPane& broken) { return broken.stem.empty() ? broken.pane.name : broken.stem; }
+inline const std::string& stem_of(const PavedArea& paved) { return paved.stem.empty() ? paved.pavement.name : paved.stem; }
+
+// The frames that paths are of.
+struct ShotSpan {
+  int first_frame = 1;
+  int last_frame = 1;
+  double per_second = 24.0;
 };
 
 struct Model {
@@ -41,7 +73,16 @@ struct Model {
   // Of the still: whether glass parts colours, and whether light that it bends is thrown on what is behind it.
   bool dispersion = false;
   bool caustics = false;
+  std::optional<studio::Camera> camera{};            // not given: the setting's own
+  std::optional<studio::Light> light{};              // the same
+  std::optional<studio::Environment> environment{};  // that `light` names
+  std::optional<ShotSpan> shot{};                    // where something moves, for targets that hold it
+  std::string shared_stem{};                         // of files that it has in common with other frames; empty: the name
 };
+
+inline const std::string& shared_stem_of(const Model& model) {
+  return model.shared_stem.empty() ? model.name : model.shared_stem;
+}
 
 // The things of a scene, before anything is made of them.
 struct Things {

@@ -16,6 +16,10 @@ std::string_view name_of(glass::CrackKind kind) {
       return "branch";
     case glass::CrackKind::dice:
       return "dice";
+    case glass::CrackKind::rung:
+      return "rung";
+    case glass::CrackKind::chip:
+      return "chip";
   }
   throw_broken_invariant("known CrackKind", __FILE_NAME__, __LINE__);
 }
@@ -60,6 +64,20 @@ std::string_view name_of(paving::StoneKind kind) {
       return "cut";
   }
   throw_broken_invariant("known StoneKind", __FILE_NAME__, __LINE__);
+}
+
+std::string_view name_of(paving::StonePart part) {
+  switch (part) {
+    case paving::StonePart::field:
+      return "field";
+    case paving::StonePart::border:
+      return "border";
+    case paving::StonePart::kerb:
+      return "kerb";
+    case paving::StonePart::step:
+      return "step";
+  }
+  throw_broken_invariant("known StonePart", __FILE_NAME__, __LINE__);
 }
 
 }  // namespace shatterpave::exporting

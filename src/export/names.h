@@ -13,5 +13,6 @@ std::string_view name_of(glass::CrackKind kind);
 std::string_view name_of(glass::CrackEnd::At at);
 std::string_view name_of(glass::ShardState state);
 std::string_view name_of(paving::StoneKind kind);
+std::string_view name_of(paving::StonePart part);
 
 }  // namespace shatterpave::exporting

@@ -4,8 +4,11 @@
 #include <array>
 
 #include "core/error.h"
+#include "export/gltf/scene_gltf.h"
+#include "export/mitsuba/scene_mitsuba.h"
 #include "export/povray/povray.h"
 #include "export/textures/textures.h"
+#include "export/usd/scene_usd.h"
 
 namespace shatterpave::exporting {
 
@@ -17,7 +20,9 @@ struct RasterTarget {
 };
 
 constexpr std::array raster_targets = {RasterTarget{&povray::target, povray::append},
-                                       RasterTarget{&textures::target, textures::append}};
+                                       RasterTarget{&textures::target, textures::append},
+                                       RasterTarget{&gltf::target, gltf::append}, RasterTarget{&usd::target, usd::append},
+                                       RasterTarget{&mitsuba::target, mitsuba::append}};
 
 }  // namespace
 

@@ -22,6 +22,9 @@ struct Target {
   // takes every scene.
   void (*require)(const Things& things) = nullptr;
 
+  // Whether it holds how things move over a shot, in one file for all frames.
+  bool holds_motion = false;
+
   bool has_rasters() const { return append == nullptr; }
 };
 

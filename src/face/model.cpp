@@ -17,7 +17,7 @@ namespace shatterpave {
 
 namespace {
 
-// What is made of the model when it is first asked for.
+// A value that is made when it is first asked for.
 template <typename Thing>
 class Lazy {
  public:
@@ -92,7 +92,7 @@ ShardMesh Model::shard_mesh(std::size_t pane, std::size_t shard) const {
   require_index(pane, inside_->model.panes.size(), "pane");
   const exporting::BrokenPane& broken = inside_->model.panes[pane];
   require_index(shard, broken.shards.size(), "shard");
-  return face::plain_mesh(broken.shards[shard], broken.pane.thickness_mm);
+  return face::plain_mesh(broken.shards[shard], broken.pane);
 }
 
 StoneMesh Model::stone_mesh(std::size_t pavement, std::size_t stone, const StoneMeshOptions& options) const {

@@ -1,4 +1,4 @@
-// Words of the face: those of the files, so that they cannot differ.
+// The words of the public enumerators are those of the files, so that they cannot differ.
 #include "export/names.h"
 
 #include <shatterpave/pane.h>
@@ -25,8 +25,8 @@ Inner inner_of(Plain kind, const std::array<Inner, Count>& all) {
 
 std::string_view name_of(CrackKind kind) {
   using glass::CrackKind;
-  return exporting::name_of(
-      inner_of(kind, std::array{CrackKind::large, CrackKind::radial, CrackKind::circular, CrackKind::branch, CrackKind::dice}));
+  return exporting::name_of(inner_of(kind, std::array{CrackKind::large, CrackKind::radial, CrackKind::circular,
+                                                      CrackKind::branch, CrackKind::dice, CrackKind::rung, CrackKind::chip}));
 }
 
 std::string_view name_of(CrackEnd::At at) {
@@ -45,15 +45,8 @@ std::string_view name_of(StoneKind kind) {
 }
 
 std::string_view name_of(StonePart part) {
-  switch (part) {
-    case StonePart::field:
-      return "field";
-    case StonePart::border:
-      return "border";
-    case StonePart::kerb:
-      return "kerb";
-  }
-  throw_broken_invariant("a part of the face", __FILE_NAME__, __LINE__);
+  using paving::StonePart;
+  return exporting::name_of(inner_of(part, std::array{StonePart::field, StonePart::border, StonePart::kerb, StonePart::step}));
 }
 
 }  // namespace shatterpave

@@ -1,9 +1,14 @@
 #include "face/plain_pane.h"
 
+#include <array>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
+#include "export/shapes/glass_meshes.h"
 #include "face/plain.h"
+#include "geometry/bend.h"
 
 namespace shatterpave::face {
 
@@ -45,6 +50,10 @@ CrackKind plain(glass::CrackKind kind) {
       return CrackKind::branch;
     case glass::CrackKind::dice:
       return CrackKind::dice;
+    case glass::CrackKind::rung:
+      return CrackKind::rung;
+    case glass::CrackKind::chip:
+      return CrackKind::chip;
   }
   throw_broken_invariant("a kind of crack", __FILE_NAME__, __LINE__);
 }
@@ -101,17 +110,28 @@ Pane plain(const exporting::BrokenPane& broken) {
   return pane;
 }
 
-ShardMesh plain_mesh(const glass::Shard& shard, double thickness_mm) {
-  ShardMesh mesh;
-  mesh.vertices_mm.reserve(shard.solid.vertices.size());
+ShardMesh plain_mesh(const glass::Shard& shard, const glass::Pane& pane) {
+  const geometry::Bend bend = glass::bend_of(pane);
+  std::vector<vec3> points;
+  points.reserve(shard.solid.vertices.size());
   for (const geometry::LatticePoint3& vertex : shard.solid.vertices) {
-    mesh.vertices_mm.push_back(plain(glass::in_pane_mm(vertex, thickness_mm)));
+    points.push_back(glass::in_pane_mm(vertex, pane.thickness_mm));
   }
-  mesh.triangles.reserve(shard.solid.triangles.size());
-  for (const geometry::SolidTriangle& triangle : shard.solid.triangles) {
-    mesh.triangles.push_back(triangle.corners);
-    mesh.normals.push_back(plain(geometry::normal(shard.solid, triangle)));
-    mesh.surfaces.push_back(plain(static_cast<glass::ShardSurface>(triangle.slot)));
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(shard.solid.triangles.size());
+  for (const geometry::SolidTriangle& triangle : shard.solid.triangles) triangles.push_back(triangle.corners);
+  geometry::Refinement parts = geometry::refinement(points, triangles, bend, exporting::shapes::bent_shard_bound_mm);
+  for (const auto [a, b] : parts.added) points.push_back(0.5 * (points[a] + points[b]));
+  ShardMesh mesh;
+  mesh.vertices_mm.reserve(points.size());
+  for (const vec3 point : points) mesh.vertices_mm.push_back(plain(bend.point(point)));
+  for (std::size_t i = 0; i < parts.triangles.size(); ++i) {
+    const auto& corners = parts.triangles[i];
+    const geometry::SolidTriangle& whole = shard.solid.triangles[parts.part_of[i]];
+    const vec3 middle = (points[corners[0]] + points[corners[1]] + points[corners[2]]) / 3.0;
+    mesh.triangles.push_back(corners);
+    mesh.normals.push_back(plain(bend.normal(middle, geometry::normal(shard.solid, whole))));
+    mesh.surfaces.push_back(plain(static_cast<glass::ShardSurface>(whole.slot)));
   }
   return mesh;
 }

@@ -5,17 +5,19 @@
 
 #include "export/model.h"
 #include "glass/network.h"
+#include "glass/pane.h"
 #include "glass/shards/shards.h"
 
 namespace shatterpave::face {
 
-// Each kind by itself, so that the compiler tells of one that the face does not know.
+// One function for each kind, so that a kind that the public headers lack does not compile.
 CrackKind plain(glass::CrackKind kind);
 CrackEnd::At plain(glass::CrackEnd::At at);
 ShardState plain(glass::ShardState state);
 ShardSurface plain(glass::ShardSurface surface);
 
 Pane plain(const exporting::BrokenPane& broken);
-ShardMesh plain_mesh(const glass::Shard& shard, double thickness_mm);
+// As it is bent with its pane.
+ShardMesh plain_mesh(const glass::Shard& shard, const glass::Pane& pane);
 
 }  // namespace shatterpave::face

@@ -30,18 +30,20 @@ StonePart plain(paving::StonePart part) {
       return StonePart::field;
     case paving::StonePart::border:
       return StonePart::border;
+    case paving::StonePart::kerb:
+      return StonePart::kerb;
+    case paving::StonePart::step:
+      return StonePart::step;
   }
   throw_broken_invariant("a part of a pavement", __FILE_NAME__, __LINE__);
 }
 
 Pavement plain(const exporting::PavedArea& paved) {
   Pavement pavement{paved.pavement.name, plain(paved.pavement.area), {}};
-  // No scene asks for this bond by name: it is that of kerbs alone.
-  const bool is_kerb = paved.pavement.bonding.bond == paving::Bond::course;
   pavement.stones.reserve(paved.layout.stones.size());
   for (const paving::Stone& stone : paved.layout.stones) {
-    const StonePart part = is_kerb ? StonePart::kerb : plain(stone.part);
-    pavement.stones.push_back({stone.id, plain(stone.kind), part, plain(stone.outline_mm), plain_degrees(stone.angle)});
+    pavement.stones.push_back(
+        {stone.id, plain(stone.kind), plain(stone.part), plain(stone.outline_mm), plain_degrees(stone.angle)});
   }
   return pavement;
 }

@@ -8,7 +8,7 @@
 
 namespace shatterpave::face {
 
-// Each kind by itself, so that the compiler tells of one that the face does not know.
+// One function for each kind, so that a kind that the public headers lack does not compile.
 StoneKind plain(paving::StoneKind kind);
 StonePart plain(paving::StonePart part);
 

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "face/scene_access.h"
+#include "pipeline/environment.h"
 #include "pipeline/generate.h"
 #include "pipeline/outlook.h"
+#include "pipeline/parts.h"
 #include "scene/draft.h"
 #include "scene/input_file.h"
 
@@ -102,7 +104,11 @@ std::string Scene::add_pavement(std::string_view name, const Polygon& outline, c
                 fmt::format("{{name = {}, outline_mm = {}{}}}", Value(name).toml(), Value(outline).toml(), more));
 }
 
-void Scene::check() const { pipeline::require_possible(*SceneAccess::read(*this)); }
+void Scene::check() const {
+  const std::shared_ptr<const scene::Scene> read = SceneAccess::read(*this);
+  pipeline::require_possible(*read);
+  pipeline::require_environment(*read);
+}
 
 const std::string& Scene::name() const { return inside_->name; }
 
@@ -123,7 +129,9 @@ std::vector<std::string> Scene::pane_names() const {
 
 std::vector<std::string> Scene::pavement_names() const {
   std::vector<std::string> names;
-  for (const paving::Pavement& pavement : SceneAccess::read(*this)->pavements) names.push_back(pavement.name);
+  for (const pipeline::PavementPart& part : pipeline::pavement_parts(*SceneAccess::read(*this))) {
+    if (!part.is_kerb()) names.push_back(part.pavement.name);
+  }
   return names;
 }
 

@@ -11,7 +11,7 @@ namespace shatterpave {
 
 class SceneAccess {
  public:
-  // Read where it was changed since it was read last. Throws InputError.
+  // The scene, read again if it was changed since the last time. Throws InputError.
   static std::shared_ptr<const scene::Scene> read(const Scene& scene);
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int most_threads = 1024;
 
-// Callbacks of somebody else, called where an exception could not pass: the first one is kept, and work asked to stop.
+// Calls the user's callbacks where no exception may pass: keeps the first exception, and asks the work to stop.
 class Callbacks {
  public:
   explicit Callbacks(const WorkOptions& options) : options_(options) {}

@@ -1,4 +1,4 @@
-// How the functions of the face work for somebody else's program: its callbacks, its threads.
+// Callbacks and threads of the public functions.
 #pragma once
 
 #include <shatterpave/generate.h>

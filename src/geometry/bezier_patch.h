@@ -25,7 +25,7 @@ vec3 point(const BezierPatch& patch, double u, double v);
 vec3 derivative_u(const BezierPatch& patch, double u, double v);
 vec3 derivative_v(const BezierPatch& patch, double u, double v);
 
-// z of the patches over `place` in x and y: that of the nearest of 9 × 9 points of each patch. −∞ without patches.
+// The height z of the patches at `place`: that of the nearest of 9 × 9 points of each patch; −∞ without patches.
 double height_at(const std::vector<BezierPatch>& patches, vec2 place);
 
 }  // namespace shatterpave::geometry

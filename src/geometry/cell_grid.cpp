@@ -48,7 +48,7 @@ void CellGrid::add(std::int64_t column, std::int64_t row, int number) {
   tile.occupied |= std::uint64_t{1} << place(column, row);
 }
 
-// The last number of the first chunk takes the place of the one that goes.
+// The last number of the first chunk takes the place of the removed one.
 void CellGrid::remove(std::int64_t column, std::int64_t row, int number) {
   Tile& tile = made_tile(column, row);
   int& first = tile.first[place(column, row)];

@@ -1,5 +1,5 @@
-// Numbers kept by the cell of an endless grid that they lie in. Cells come in tiles of 8 × 8, found by hashing, that know
-// which of their cells hold anything: empty country costs next to nothing, and memory goes with what is kept.
+// Numbers kept by the cell of an endless grid in which they lie. Cells come in hashed tiles of 8 × 8, each of which knows its
+// occupied cells: so empty cells cost next to nothing, and memory grows with what is kept.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct CellBox {
   std::int64_t last_row = 0;
 };
 
-// The largest whole number not above `value`, which fits; without a call of the library.
+// The largest whole number not above `value`, which must fit; without a call of the C library.
 inline std::int64_t whole_below(double value) {
   const auto towards_zero = static_cast<std::int64_t>(value);
   return static_cast<double>(towards_zero) > value ? towards_zero - 1 : towards_zero;
@@ -29,7 +29,7 @@ inline std::int64_t whole_below(double value) {
 class CellGrid {
  public:
   void add(std::int64_t column, std::int64_t row, int number);
-  // REQUIRES that it is there.
+  // REQUIRES that the number is in the cell.
   void remove(std::int64_t column, std::int64_t row, int number);
 
   // Calls visit(number) for each number of the cell, in an order that depends on the calls of `add` and `remove` only.

@@ -132,7 +132,7 @@ Polygon cleaned(const Polygon& polygon) {
     }
     kept.push_back(p);
   }
-  // The seam: the same rule round the end.
+  // The same rule where the end of the ring meets its start.
   std::size_t begin = 0;
   bool changed = true;
   while (changed && kept.size() - begin >= 3) {

@@ -1,4 +1,4 @@
-// Boolean operations and offsets of polygons: a thin front over Clipper (polyclipping), on the lattice.
+// Boolean operations and offsets of polygons by Clipper (polyclipping), on the lattice.
 //
 // Operands are read as the sets of points that they enclose. Results are regions on the lattice: outlines counter-clockwise,
 // holes clockwise, without repeated or collinear vertices. A vertex where two sides cross is rounded to the lattice, so a
@@ -19,8 +19,8 @@ std::vector<Region> difference(const Region& subject, const std::vector<Region>&
 std::vector<Region> united(const std::vector<Polygon>& polygons);
 std::vector<Region> united(const std::vector<Region>& regions);
 
-// The points of `region` farther than `-distance_mm` from its border (distance < 0), or those of it and nearer than
-// `distance_mm` (distance > 0). Corners are mitred where the tip lies within `miter_limit` distances, else cut square.
+// The region moved in (distance < 0: its points farther than that from its border) or out (> 0: all points nearer to it
+// than that). Corners are mitred where the tip lies within `miter_limit` distances, else cut square.
 std::vector<Region> offset(const Region& region, double distance_mm, double miter_limit = 2.0);
 
 // The points nearer than `distance_mm` > 0 to polylines of two or more distinct points, which end square. Mitres as in
@@ -31,7 +31,7 @@ std::vector<Region> thickened(const std::vector<std::vector<vec2>>& polylines, d
 // lattice; empty if nothing with an area remains.
 Polygon cleaned(const Polygon& polygon);
 
-// Whether no two sides meet except neighbours in their common vertex; exact on the lattice. Tests all pairs: for small ones.
+// Whether no two sides meet except neighbours in their common vertex; exact. Tests all pairs of sides: for small polygons.
 bool is_simple(const Polygon& polygon);
 
 }  // namespace shatterpave::geometry

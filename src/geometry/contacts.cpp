@@ -15,17 +15,19 @@ namespace shatterpave::geometry {
 namespace {
 
 constexpr double contact_cell_mm = 1.0;
-// Half the side of what is cut off about a contact: more than rounding can close again.
+// Half the side of the square that is cut out about a contact: too large for rounding to close it again.
 constexpr double half_square_mm = 0.002;
-// Each cut rounds anew, but what it leaves is so far apart that a second one is rare.
-constexpr int most_cuts = 8;
+// Each cut rounds anew, but what it leaves is so far apart that a second one is rare. In bays of a few thousandths of a radian
+// contacts move on by a square with each cut: after some, squares double, so that they are out of any bay soon.
+constexpr int even_cuts = 4;
+constexpr int most_cuts = 16;
 
 struct RingSide {
   LatticePoint a;
   LatticePoint b;
 };
 
-// A point that both sides have.
+// A point common to both sides.
 std::optional<LatticePoint> contact(const RingSide& s, const RingSide& t) {
   if (!segments_meet(s.a, s.b, t.a, t.b)) return std::nullopt;
   for (const LatticePoint p : {t.a, t.b}) {
@@ -40,7 +42,7 @@ std::optional<LatticePoint> contact(const RingSide& s, const RingSide& t) {
   return to_lattice(to_mm(s.a) + share * along);
 }
 
-// Of neighbours, whose common vertex is no contact: the end of one that lies on the other.
+// For neighbours, whose common vertex is no contact: an end of one that lies on the other.
 std::optional<LatticePoint> doubling_back(const RingSide& before, const RingSide& after) {
   if (on_segment(before.a, before.b, after.b)) return after.b;
   if (on_segment(after.a, after.b, before.a)) return before.a;
@@ -88,12 +90,14 @@ std::vector<vec2> contacts(const std::vector<Polygon>& rings) {
 }
 
 std::vector<Region> parted(std::vector<Region> regions) {
+  double half = half_square_mm;
   for (int cut = 0; cut < most_cuts; ++cut) {
+    if (cut >= even_cuts) half *= 2.0;
     const std::vector<vec2> points = contacts(rings_of(regions));
     if (points.empty()) return regions;
     std::vector<Polygon> squares;
+    squares.reserve(points.size());
     for (const vec2 p : points) {
-      const double half = half_square_mm;
       squares.push_back({p + vec2{-half, -half}, p + vec2{half, -half}, p + vec2{half, half}, p + vec2{-half, half}});
     }
     const std::vector<Region> removed = united(squares);

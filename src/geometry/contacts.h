@@ -7,13 +7,13 @@
 
 namespace shatterpave::geometry {
 
-// The points in which sides meet, of one ring or of two, but the vertices that neighbours have in common. Exact but for points
-// in which sides cross, which are rounded to the lattice.
+// The points where sides of one ring or of two meet, other than the common vertices of neighbours. Exact, except that points
+// where sides cross are rounded to the lattice.
 //   rings  each of three or more vertices, each different from the next one
 std::vector<vec2> contacts(const std::vector<Polygon>& rings);
 
-// The regions less squares of 4 µm about their contacts, so that rings touch neither themselves nor one another. Mostly they
-// are what was given.
+// The regions without squares of 4 µm about their contacts, in the narrowest bays larger ones, so that no ring touches itself
+// or another one. Regions without contacts, as most are, stay as they were.
 std::vector<Region> parted(std::vector<Region> regions);
 
 // The outlines and the holes.

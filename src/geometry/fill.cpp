@@ -35,7 +35,7 @@ struct WoundSide {
   int winding = 0;
 };
 
-// Each side once, from its smaller end; those that run as often forth as back bound nothing.
+// Each side once, from its smaller end; sides that run as often one way as the other bound nothing and are left out.
 std::vector<WoundSide> merged(std::vector<WoundSide> sides) {
   for (WoundSide& side : sides) {
     if (side.b < side.a) side = {side.b, side.a, -side.winding};
@@ -64,7 +64,7 @@ std::vector<WoundSide> sides_of(const std::vector<Polygon>& rings) {
   return merged(std::move(sides));
 }
 
-// Cells near the length of a typical side.
+// Cells about as long as a typical side.
 SegmentIndex index_of(const std::vector<WoundSide>& sides) {
   double length_mm = 0.0;
   for (const WoundSide& side : sides) length_mm += glm::distance(to_mm(side.a), to_mm(side.b));
@@ -81,7 +81,7 @@ std::int64_t rounded_quotient(Wide numerator, Wide denominator) {
   return static_cast<std::int64_t>(quotient);
 }
 
-// Where two sides that cross do so, to the nearest point of the lattice.
+// The point where two sides cross, rounded to the lattice.
 LatticePoint crossing(const WoundSide& p, const WoundSide& q) {
   const Wide px = p.b.x - p.a.x;
   const Wide py = p.b.y - p.a.y;
@@ -140,7 +140,7 @@ bool meets_square(const WoundSide& side, LatticePoint centre) {
   return lower_left == Side::on;
 }
 
-// One pass: each side led through the hot squares that it meets. Nothing if none has to be.
+// One pass: leads each side through the hot squares that it meets. Returns nothing if no side has to be moved.
 std::optional<std::vector<WoundSide>> snapped(const std::vector<WoundSide>& sides) {
   const SegmentIndex index = index_of(sides);
   std::vector<std::vector<LatticePoint>> stops(sides.size());
@@ -156,7 +156,7 @@ std::optional<std::vector<WoundSide>> snapped(const std::vector<WoundSide>& side
   if (!changed) return std::nullopt;
   std::vector<WoundSide> pieces;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    // a < b, so x never falls; y goes one way.
+    // a < b, so x never falls, and y only rises or only falls.
     const std::int64_t up = sides[i].b.y >= sides[i].a.y ? 1 : -1;
     std::ranges::sort(stops[i], [up](LatticePoint p, LatticePoint q) { return p.x != q.x ? p.x < q.x : up * p.y < up * q.y; });
     for (std::size_t k = 0; k + 1 < stops[i].size(); ++k) {
@@ -235,7 +235,7 @@ std::vector<int> windings_of(const std::vector<Face>& map, const std::vector<Wou
   return result;
 }
 
-// Whether a place is filled that the rings wind round so often.
+// Whether a place with that winding number is filled.
 using IsFilled = bool (*)(int);
 
 IsFilled is_filled_by(FillRule rule) {
@@ -243,7 +243,7 @@ IsFilled is_filled_by(FillRule rule) {
   return [](int winding) { return winding % 2 != 0; };
 }
 
-// The sides that have what is filled on one side only, each with that on its left.
+// The sides between filled and unfilled areas, each with the filled one on its left.
 std::vector<Segment> border_of(const std::vector<WoundSide>& sides, IsFilled is_filled_at) {
   const std::vector<Face> map = faces(segments_of(sides));
   const std::vector<Neighbours> neighbours = neighbours_of(map, sides.size());
@@ -258,7 +258,7 @@ std::vector<Segment> border_of(const std::vector<WoundSide>& sides, IsFilled is_
   return border;
 }
 
-// Whether nothing of the ring is as wide as the lattice can tell.
+// Whether the ring is everywhere thinner than the lattice can show.
 bool is_sliver(const Polygon& ring) {
   if (ring.size() < 3) return true;
   double round = 0.0;
@@ -278,7 +278,7 @@ Polygon polygon_of(const FaceRing& ring) {
 std::vector<Region> regions_within(const std::vector<Segment>& border) {
   std::vector<Region> regions;
   for (const Face& face : faces(border)) {
-    if (!face.outline.front().forward) continue;  // what is filled lies on the other side
+    if (!face.outline.front().forward) continue;  // the filled area lies on the other side
     Region region{polygon_of(face.outline), {}};
     if (is_sliver(region.outline)) continue;
     for (const FaceRing& ring : face.holes) {
@@ -315,7 +315,7 @@ std::vector<Region> filled(const std::vector<Polygon>& rings, FillRule rule) { r
 std::vector<Region> filled_without(const Polygon& outline, const std::vector<Polygon>& holes, FillRule rule) {
   std::vector<Polygon> rings;
   for (const Polygon& hole : holes) append_rings(filled({hole}, rule), rings);
-  // The other way round, so that each takes one off the winding number, which is 1 where the outline fills.
+  // Reversed, so that each hole takes one off the winding number, which is 1 inside the outline.
   for (Polygon& ring : rings) std::ranges::reverse(ring);
   append_rings(filled({outline}, rule), rings);
   return filled_where(rings, [](int winding) { return winding > 0; });

@@ -1,4 +1,4 @@
-// What closed rings fill, whatever they do.
+// The area that closed rings fill, even where they cross, touch or run along each other.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace shatterpave::geometry {
 
-// By which rings fill an area together: where they wind round a point at all, or an odd number of times (SVG 1.1, 11.3).
+// The rule that says what is filled: the points that rings wind round at all, or an odd number of times (SVG 1.1, 11.3).
 enum class FillRule { nonzero, evenodd };
 
-// Rings that cross so often that what they fill would take all time and memory.
+// Thrown for rings that cross so often that filling them would take all time and memory.
 inline constexpr std::size_t most_crossings = 1'000'000;
 class TooManyCrossings : public std::runtime_error {
  public:
@@ -29,7 +29,7 @@ class TooManyCrossings : public std::runtime_error {
 // Throws TooManyCrossings.
 std::vector<Region> filled(const std::vector<Polygon>& rings, FillRule rule);
 
-// What `outline` fills without what any of `holes` does, each by itself; else as `filled`.
+// The area that `outline` fills, without what each of `holes` fills by itself; otherwise as `filled`.
 std::vector<Region> filled_without(const Polygon& outline, const std::vector<Polygon>& holes, FillRule rule);
 
 // The same areas as regions of which 1. holds: as they are if none of them has a `region_fault`, else filled anew. For results

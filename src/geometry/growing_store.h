@@ -1,4 +1,4 @@
-// A sequence that only grows, and never moves what it holds: where much is kept, to copy it would cost more than all else.
+// A sequence that only grows and never moves its elements, for much data, where copying would cost more than all else.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace shatterpave::geometry {
 
-// As much of a vector as the indexes need, in blocks of one size. A deque of the standard library has blocks of 512 bytes, an
-// allocation for every few values, and divides to find a place.
+// The part of a vector that the indexes need, in blocks of one size. A std::deque has blocks of 512 bytes, so it allocates for
+// every few values, and it divides to find a place.
 template <typename Value>
 class GrowingStore {
  public:
@@ -27,7 +27,7 @@ class GrowingStore {
   }
 
  private:
-  // A power of two of values, about 8 KiB: by eye, large beside what an allocation costs, small beside what a pane holds.
+  // Values in a block, a power of two, about 8 KiB: by eye, large beside an allocation's cost, small beside a pane's data.
   static constexpr std::size_t block_size = std::bit_floor(std::max<std::size_t>(1, 8192 / sizeof(Value)));
 
   std::vector<std::unique_ptr<Value[]>> blocks_;

@@ -26,7 +26,7 @@ using SitePoint = boost::polygon::point_data<std::int32_t>;
 using Piece = std::pair<LatticePoint, LatticePoint>;  // the lesser end first
 
 constexpr double half_step_mm = 0.5 / lattice_per_mm;
-// Points so close along a side are as good as the side to half of this where the circle is narrow, to less where it is wide.
+// Spacing of the points that stand for a side. They are off by at most half of it, and by less where the circle is wide.
 constexpr double point_spacing_mm = 2.0 * circle_tolerance_mm;
 constexpr double most_points = 200'000.0;
 

@@ -35,7 +35,7 @@ Wide cross_of(LatticePoint o, LatticePoint p, LatticePoint q) {
   return static_cast<Wide>(p.x - o.x) * (q.y - o.y) - static_cast<Wide>(p.y - o.y) * (q.x - o.x);
 }
 
-// Where two segments that cross properly do so, rounded.
+// The point where two segments cross properly, rounded.
 LatticePoint crossing(const Segment& s, const Segment& t) {
   Wide along = cross_of(t.a, t.b, s.a);
   Wide whole = along - cross_of(t.a, t.b, s.b);
@@ -56,7 +56,7 @@ struct Fraction {
   }
 };
 
-// A stretch of a segment, of which one end or both may be left out.
+// An interval of a segment, which may be open at either end.
 struct Stretch {
   Fraction from{0, 1};
   Fraction to{1, 1};
@@ -137,7 +137,7 @@ std::vector<std::vector<LatticePoint>> bent(std::span<const Segment> segments) {
   const std::vector<LatticePoint> points = hot_points(segments, grid_mm);
   SegmentIndex index(grid_mm);
   for (const LatticePoint& p : points) {
-    // A cross of one unit each way, so that it is found from next to it.
+    // A cross of one unit each way, so that a question from next to it finds it.
     index.add({{p.x - 1, p.y - 1}, {p.x + 1, p.y + 1}});
   }
   std::vector<std::vector<LatticePoint>> ways(segments.size());
@@ -160,7 +160,7 @@ std::vector<std::vector<LatticePoint>> bent(std::span<const Segment> segments) {
   return ways;
 }
 
-// How often a layer runs along a side, those against it off.
+// How often a layer runs along a side, less how often it runs against it.
 struct Run {
   std::size_t side = 0;
   std::uint32_t layer = 0;
@@ -241,7 +241,7 @@ std::vector<std::array<std::size_t, 2>> faces_beside(std::size_t sides, std::spa
 
 using Windings = std::vector<std::pair<std::uint32_t, int>>;  // layers, ascending, none of 0
 
-// Those on the left of a side of those on its right, `sign` 1, or the other way round, −1.
+// The winding numbers on the left of a side from those on its right (`sign` 1), or the other way round (−1).
 Windings across(const Windings& from, std::span<const Run> runs, int sign) {
   Windings result;
   std::size_t i = 0;
@@ -322,7 +322,7 @@ std::vector<std::vector<std::uint32_t>> covers(const Overlay& map, const std::ve
 
 // ---- labels
 
-// Sets of faces that hang together.
+// Connected sets of faces.
 class FaceSets {
  public:
   explicit FaceSets(std::size_t count) : rank_(count), parent_(count), sets_(rank_.data(), parent_.data()) {
@@ -353,7 +353,7 @@ Polygon ring_polygon(const FaceRing& ring) {
   return polygon;
 }
 
-// What sets of faces measure.
+// The measures of sets of faces.
 struct SetMeasures {
   std::map<std::size_t, double> area_mm2;
   std::map<std::size_t, double> border_mm;

@@ -18,7 +18,7 @@
 
 namespace shatterpave::geometry {
 
-// The rings of a layer: it covers what they wind about, whatever they do.
+// The rings of a layer, which may cross and touch in any way: the layer covers what they wind about.
 using Layer = std::vector<Polygon>;
 
 struct Overlay {
@@ -35,16 +35,16 @@ Overlay overlay(std::span<const Layer> layers);
 
 // Parts of an overlay as regions: the faces with one label make one region for each set of them that hangs together by sides.
 //   label  of each face
-// Regions have the vertices of the map but for those on a straight line between their neighbours where only two regions meet.
+// Regions keep the vertices of the map, except those on a straight line at which only two regions meet.
 struct LabelledRegion {
   Region region;
   std::uint32_t label = 0;
 };
 std::vector<LabelledRegion> labelled_regions(const Overlay& map, std::span<const std::uint32_t> label);
 
-// Labels changed so that no set of faces with one label that hangs together is thinner than `width_mm` (its area less than half
-// its border times that), if a neighbour takes it: the one with which it shares most of its border, of those whose label is
-// not `fixed`; sets labelled `fixed` stay.
+// New labels, so that no connected set of faces with one label is thinner than `width_mm` (its area less than half its border
+// times that). A thin set takes the label of the neighbour with which it shares most of its border, of those that are not
+// labelled `fixed`, if there is one; sets labelled `fixed` stay.
 std::vector<std::uint32_t> without_slivers(const Overlay& map, std::vector<std::uint32_t> label, double width_mm,
                                            std::uint32_t fixed);
 

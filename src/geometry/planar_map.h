@@ -12,7 +12,7 @@
 
 namespace shatterpave::geometry {
 
-// A segment as a face has it on its border.
+// A segment on the border of a face.
 struct FaceSide {
   std::size_t segment = 0;  // index into the segments that the map was made of
   bool forward = true;      // from its a to its b; the face lies on the left
@@ -33,7 +33,7 @@ struct Face {
 };
 
 // The bounded faces, in an order that depends on that of the segments only.
-//   segments  no two have more in common than an end of both; none is a single point; none stands twice
+//   segments  no two share more than an end of both; none is a single point; none is given twice
 // Every segment that is not a spur, and that has bounded faces on both sides, is on the border of two; else of one.
 //
 // Where the first segments are a rim, a ring counter-clockwise about all others, `outward` holds for each of them a direction

@@ -1,4 +1,4 @@
-// Meshes of triangles in the plane that are made better: edges flipped and parted, exactly on the lattice.
+// Meshes of triangles in the plane that are improved by flipping and splitting edges, exactly on the lattice.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace shatterpave::geometry {
 // but for the 1 µm by which a point that parts an edge may lie beside it; edges with a triangle on one side only stay.
 class PlaneMesh {
  public:
-  // The region between rings, as `triangulation` parts it.
+  // The region between rings, as `triangulation` divides it.
   explicit PlaneMesh(std::span<const std::vector<LatticePoint>> rings);
 
   const std::vector<LatticePoint>& points() const { return points_; }
@@ -28,15 +28,15 @@ class PlaneMesh {
   std::optional<std::size_t> triangle_at(std::size_t a, std::size_t b) const;
   std::optional<std::size_t> apex(std::size_t a, std::size_t b) const;
 
-  // Puts in place of an edge the other diagonal of the two triangles at it. Does nothing, and says so, where the edge has one
-  // triangle only or the two are no strictly convex quadrangle.
+  // Replaces an edge by the other diagonal of the two triangles at it. Does nothing, and returns false, if the edge has one
+  // triangle only or the two make no strictly convex quadrangle.
   bool flip(std::size_t a, std::size_t b);
 
-  // Puts a new point into an edge between two triangles, which become four. Returns its number; nothing is done where one of
-  // the four would be turned over or without area.
+  // Puts a new point into an edge between two triangles, which become four. Returns its number. Does nothing, and returns none,
+  // if one of the four would be turned over or without area.
   std::optional<std::size_t> part(std::size_t a, std::size_t b, LatticePoint point);
 
-  // Puts a new point into a triangle, which becomes three. Returns its number; nothing is done where it does not lie within.
+  // Puts a new point into a triangle, which becomes three. Returns its number; none, and nothing is done, if it lies outside.
   std::optional<std::size_t> part(std::size_t triangle, LatticePoint point);
 
   // Flips edges until the mesh is a constrained Delaunay triangulation of its region: the circle about each triangle has no

@@ -34,8 +34,8 @@ void PointIndex::remove(int number) {
   --count_;
 }
 
-// Looks as far as about as many points may lie as are wanted, then twice as far at each look, so that of a crowd only the
-// nearest are looked at.
+// Looks first as far as the wanted number of points is likely to lie, then twice as far each time, so that in a crowd only the
+// nearest are visited.
 std::size_t PointIndex::nearest_in(const Sector& sector, std::span<Found> found) const {
   if (found.empty()) return 0;
   double reach = sector.radius();

@@ -1,4 +1,4 @@
-// Moving points found by place.
+// An index of moving points by their places.
 #pragma once
 
 #include <span>
@@ -46,7 +46,7 @@ class PointIndex {
 
   double cells_per_mm_;
   std::vector<vec2> points_;
-  std::size_t count_ = 0;  // of those that are somewhere
+  std::size_t count_ = 0;  // of points that have a place
   CellGrid grid_;
 };
 

@@ -24,7 +24,7 @@ struct Box {
   vec2 high{0.0, 0.0};
 };
 
-// Whether the boxes have a point in common, were it of their borders.
+// Whether the boxes have a point in common; points of their borders count.
 inline bool boxes_meet(const Box& a, const Box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }

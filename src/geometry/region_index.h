@@ -37,7 +37,7 @@ class RegionIndex {
   // Whether a point of the border lies within `distance_mm` of `point`.
   bool border_within(vec2 point, double distance_mm) const;
   Nearest nearest(vec2 point) const;
-  // Appends the segments with a point within `distance_mm` of `point`, in no promised order but always the same.
+  // Appends the segments with a point within `distance_mm` of `point`, in an order that is always the same but means nothing.
   void near(vec2 point, double distance_mm, std::vector<std::size_t>& found) const;
 
  private:

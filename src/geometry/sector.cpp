@@ -44,7 +44,7 @@ bool Sector::may_meet(vec2 low, vec2 high, double reach) const {
   const vec2 to = high - apex_;
   const vec2 nearest = glm::clamp(vec2{0.0, 0.0}, from, to);
   if (glm::dot(nearest, nearest) > reach * reach) return false;
-  // Of the corners that which lies farthest to the left of the right border, and the other way round.
+  // The corner that lies farthest to the left of the right border, and the one farthest to the right of the left border.
   const vec2 left_most{right_.y < 0.0 ? to.x : from.x, right_.x > 0.0 ? to.y : from.y};
   const vec2 right_most{left_.y > 0.0 ? to.x : from.x, left_.x < 0.0 ? to.y : from.y};
   return cross(right_, left_most) >= 0.0 && cross(right_most, left_) >= 0.0;

@@ -8,7 +8,7 @@
 
 namespace shatterpave::geometry {
 
-// What sectors that differ in place and direction only have in common.
+// The shape of a sector, without its place and direction.
 class SectorShape {
  public:
   //   opening  the whole angle, in (0°, 180°]: a convex fan

@@ -1,4 +1,4 @@
-// Segments found by place: a uniform grid, so that a question costs what lies near, however many segments there are elsewhere.
+// An index of segments by place: a uniform grid, so that a question costs what lies near, however many segments lie elsewhere.
 #pragma once
 
 #include <algorithm>
@@ -54,7 +54,7 @@ class SegmentIndex {
   // that with the lowest number.
   template <typename Accept>
   std::optional<Nearest> nearest_in(const Sector& sector, Accept accept) const {
-    // Twice as far at each look, so that of a crowd only the nearest are looked at.
+    // Looks twice as far each time, so that in a crowd only the nearest are visited.
     std::optional<Nearest> best;
     if (segments_.empty() || grid_.is_empty(cells_of(sector, sector.radius()))) return best;
     for (double reach = std::min(2.0 * to_mm(cell_size()), sector.radius());; reach = std::min(2.0 * reach, sector.radius())) {

@@ -1,7 +1,7 @@
 // Holes are joined to the outline by bridges, walked both ways, so that one ring is left. An ear is three vertices in
 // succession, the middle one convex, whose outer two see each other: the way between them crosses no side, passes through no
-// vertex, and leaves both into the inside. One can always be cut off, and what is left is such a ring again. A bridge makes
-// vertices stand twice; seeing is therefore asked of the corner of the ring, not of its point.
+// vertex, and leaves both into the inside. An ear can always be cut off, and what is left is such a ring again. Bridges make
+// some vertices occur twice, so what can be seen is asked from a corner of the ring, not from its point.
 #include "geometry/triangulation.h"
 
 #include <algorithm>
@@ -63,7 +63,7 @@ bool Ears::in_cone(const Ring& ring, std::size_t corner, LatticePoint p) const {
   return side(o, after, p) == Side::left || side(before, o, p) == Side::left;
 }
 
-// Whether something of the ring lies on the way from a to c but at its ends.
+// Whether the ring meets the way from a to c other than at its ends.
 bool Ears::blocks(const Ring& ring, LatticePoint a, LatticePoint c) const {
   const auto [low_x, high_x] = std::minmax(a.x, c.x);
   const auto [low_y, high_y] = std::minmax(a.y, c.y);

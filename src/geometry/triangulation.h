@@ -1,4 +1,4 @@
-// Regions as triangles. Exact: every decision is made in integers, so any region, however thin, is parted rightly.
+// Regions as triangles. Exact: every decision is made in integers, so any region, however thin, is divided correctly.
 #pragma once
 
 #include <array>

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/error.h"
 #include "core/overloaded.h"
 #include "core/random.h"
 #include "glass/dicing/dice.h"
 #include "glass/growth/growth.h"
+#include "glass/map/growth_clock.h"
 
 namespace shatterpave::glass {
 
@@ -21,12 +24,29 @@ void require_impacts_inside(const Pane& pane) {
   }
 }
 
+// Before anything divides by its sides.
+void require_bendable(const Pane& pane) {
+  const geometry::Bend bend = bend_of(pane);
+  if (bend.is_flat()) return;
+  const Place place{"", 0, 0, pane.name + ".bow_mm"};
+  const vec2 most = glm::min(2.0 * most_bow * bend.half_mm, vec2(most_bow_mm));
+  if (std::abs(pane.bow_mm.x) > most.x || std::abs(pane.bow_mm.y) > most.y) {
+    throw InputError(place, fmt::format("expected at most {:.6g} across and {:.6g} along, a tenth of the pane and {:g} mm, got "
+                                        "({}, {})",
+                                        most.x, most.y, most_bow_mm, pane.bow_mm.x, pane.bow_mm.y));
+  }
+  const double part = 0.5 * pane.thickness_mm * bend.curvature_per_mm();
+  if (part <= most_bend_of_thickness) return;
+  throw InputError(place, fmt::format("expected a radius of at least {:g} half thicknesses, got {:.3g}",
+                                      1.0 / most_bend_of_thickness, 1.0 / part));
+}
+
 // Which cracks of laminated glass run through both sheets.
 void draw_through(const Pane& pane, double part, std::uint64_t seed, CrackNetwork& network) {
   const Id id = Id(pane.name).child("through");
   for (Crack& crack : network.cracks) {
     const Address address{Stream::through, id.child(static_cast<std::uint64_t>(crack.id))};
-    crack.through = uniform(seed, address) < part;
+    crack.through = crack.through && uniform(seed, address) < part;
   }
 }
 
@@ -34,6 +54,8 @@ void draw_through(const Pane& pane, double part, std::uint64_t seed, CrackNetwor
 
 void require_breakable(const Pane& pane) {
   require_impacts_inside(pane);
+  require_bendable(pane);
+  if (pane.given_cracks) return;
   std::visit(Overloaded{[&](const Annealed&) { require_few_steps(pane); }, [&](const Laminated&) { require_few_steps(pane); },
                         [&](const Tempered& glass) { require_few_fragments(pane, glass); }},
              pane.glass);
@@ -41,14 +63,21 @@ void require_breakable(const Pane& pane) {
 
 CrackNetwork broken(const Pane& pane, std::uint64_t seed) {
   require_breakable(pane);
+  if (pane.given_cracks) {
+    CrackNetwork given = *pane.given_cracks;
+    if (pane.time_us) time_by_front(pane, given);
+    return given;
+  }
   const auto laminated = [&](const Laminated& glass) {
     CrackNetwork network = grown_cracks(pane, seed);
     draw_through(pane, glass.through, seed, network);
     return network;
   };
-  return std::visit(Overloaded{[&](const Annealed&) { return grown_cracks(pane, seed); }, laminated,
-                               [&](const Tempered& glass) { return diced_pane(pane, glass, seed); }},
-                    pane.glass);
+  CrackNetwork network = std::visit(Overloaded{[&](const Annealed&) { return grown_cracks(pane, seed); }, laminated,
+                                               [&](const Tempered& glass) { return diced_pane(pane, glass, seed); }},
+                                    pane.glass);
+  if (pane.time_us) settle_times(network);
+  return network;
 }
 
 }  // namespace shatterpave::glass

@@ -16,6 +16,10 @@ void require_breakable(const Pane& pane);
 //   annealed   they grow (glass/growth/growth.h)
 //   tempered   the borders of its dice (glass/dicing/dice.h)
 //   laminated  they grow as in annealed glass; some run through both sheets, each with the probability that the pane gives
+// Where the pane has given cracks, these, of whatever glass it is.
+//
+// They are all that come to be; where the pane has a time_us, with their times, from which `network_at` (map/growth_clock.h)
+// tells what is there by then. Times change nothing else.
 //
 // All vertices lie in the pane; no two cracks cross; a crack that ends on another ends in a vertex of its polyline; a crack
 // that ends at the edge ends within 1 µm of it: exact on the lattice.

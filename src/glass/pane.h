@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "core/angle.h"
+#include "geometry/bend.h"
 #include "geometry/polygon.h"
+#include "glass/network.h"
+#include "studio/world.h"
 
 namespace shatterpave::glass {
 
@@ -59,8 +62,9 @@ struct Growth {
   double circular_offset = 0.5;      // b of eq. 3, not printed: 0.40 … 0.54 give them all
   double large_slope = 0.0606;       // e of eq. 6 (eq. 1 misprints it)
   double large_offset = 3.293;       // f of eq. 6
-  double large_deviation = 0.0;      // standard deviation of N about eq. 6, which knows of none. The cracks that reach the edge
-                                     // then scatter by 0.3 only, from rounding, but those of Table 1 by 1.14: 1 gives 1.0
+  double large_deviation = 1.1;      // standard deviation of N about eq. 6, which knows of none: the cracks that reach the edge
+                                     // then scatter by 1.1 about their line, as those of Table 1 do by 1.14; at 0 they scatter
+                                     // by 0.3, from rounding
   Rounding large_rounding = Rounding::nearest;  // of eq. 6: between the two that the paper's figures show
   double ring_radius_slope_mm = 0.470;          // g of eq. 7
   double ring_radius_offset_mm = 13.90;         // h of eq. 7
@@ -96,6 +100,11 @@ struct Growth {
                              // radii out. At 0 rings cut off 42 % of the large cracks, and N no longer goes with M. In real
                              // panes radials run first, and rings follow as the freed strips bend
 
+  // The clock of growth: the mean large crack runs at this speed, all others in the proportion that the model gives them. The
+  // default is about the limiting speed of cracks in soda-lime glass: Schardin, "Velocity effects in fracture", in Averbach et
+  // al., "Fracture" (1959).
+  double crack_speed_m_s = 1500.0;
+
   bool operator==(const Growth&) const = default;
 };
 
@@ -111,6 +120,7 @@ struct Impact {
   double speed_m_s = 6.26;                  // a fall from 2 m (§3.1.1)
   double hole_mm = 0.0;                     // diameter of the hole on the viewer's side; 0: what hit did not go through
   std::optional<double> spall_mm;           // and on the far side: hole_mm + 4.5 thicknesses, a cone of 66° to either side
+  double time_us = 0.0;                     // when it comes, >= 0, and not before the impact before it
 
   bool operator==(const Impact&) const = default;
 };
@@ -124,12 +134,12 @@ enum class Pattern {
 // Ring cracks as in real panes: "mostly straight or slightly bowed segments between radials", on which they end, and which do
 // not meet those of the next sector (SWGMAT, "Glass Fractures", 2005). By eye where no source is named.
 struct Rings {
-  int count = 5;  // 0 … 100
-  double first_radius_mm = 12.0;
-  double ratio = 1.6;          // of the radius of a ring to that of the one before, > 1: denser towards the impact
-  double spread = 0.35;        // a piece is off its ring by up to this share of the way to the next ring
-  double interruption = 0.35;  // part of the sectors that a ring leaves out
-  double bow = 0.25;           // 0: pieces are straight; 1: they follow the circle. Wide sectors have more
+  int count = 5;                          // 0 … 100
+  std::optional<double> first_radius_mm;  // else from the size of the pane (see ring_radii)
+  double ratio = 2.0;                     // of the radius of a ring to that of the one before, > 1: denser towards the impact
+  double spread = 0.3;                    // a piece is off its ring by up to this share of the way to the next ring
+  double interruption = 0.25;             // part of the sectors that a ring leaves out
+  double bow = 0.25;                      // 0: pieces are straight; 1: they follow the circle. Wide sectors have more
 
   bool operator==(const Rings&) const = default;
 };
@@ -175,22 +185,25 @@ using Glass = std::variant<Annealed, Laminated, Tempered>;
 // What becomes of the pieces between the cracks. Defaults without a source were chosen by eye, see scenes/broken_window.toml.
 struct ShardRules {
   bool joined = false;        // pieces that stand side by side are one body, without a gap between them
+  bool leaning = false;       // walls lean, twist and bow by tilt, curve and twist_mm of crack_sheet (see lean.h); else upright
   double gap_mm = 0.06;       // opening of cracks between pieces, face to face
   double splinter_mm2 = 4.0;  // pieces with a smaller face are dust
   double bevel_mm = 0.12;     // width and depth of the bevel along broken edges; 0: none
   double chips_per_m = 90.0;  // flakes off broken edges, on each side of the pane
   double chip_mm = 1.6;       // half the length of the largest of them along the edge
-  double missing = 0.95;      // probability with which a piece at an impact leaves the pane; it falls to 1/e of that at
-  double missing_mm = 55.0;   // this distance, as exp(−x⁴)
-  double held = 0.5;          // a piece that stands has at least this part of its border along the frame and pieces that stand;
-                              // in a frame that grips it along a tenth of its border it stands always
-  double fallen = 0.6;        // part of the pieces that left the pane that come to lie on sill or floor; others are gone
-  double throw_m_s = 0.7;     // with which pieces at an impact leave the pane towards +z
+  double missing = 0.95;      // of the glass near an impact, the part that leaves the pane: there is one hole, as large as if
+                              // every place were gone with this probability, which falls to 1/e at
+  std::optional<double> missing_mm;  // this distance, as exp(−x⁴); else from energy and size (see hole_outline.h)
+  double held = 0.2;       // a piece that stands has at least this part of its border along the frame and pieces that stand;
+                           // in a frame that grips it along a tenth of its border it stands always
+  double fallen = 0.6;     // part of the pieces that left the pane that come to lie on sill or floor; others are gone
+  double throw_m_s = 0.7;  // with which pieces at an impact leave the pane towards +z
   double sill_drop_mm = 25.0;    // top of the sill below the lowest point of the pane
   double sill_depth_mm = 150.0;  // how far it reaches out, from the middle plane of the pane
   double frame_mm = 18.0;        // how far the frame stands out from that plane
   double reveal_mm = 30.0;       // from the sides of the pane's box to the walls beside it
   double floor_drop_mm = 850.0;  // floor below the lowest point of the pane
+  std::optional<double> time_s;  // how long ago the pieces were let go, >= 0; nothing: all have come to rest
 
   bool operator==(const ShardRules&) const = default;
 };
@@ -214,10 +227,11 @@ struct CrackSheet {
 };
 
 struct Pane {
-  std::string name;              // unique in its scene, an identifier: letters, digits, '_' and '-'
-  geometry::Polygon outline_mm;  // simple, counter-clockwise, on the lattice
-  double thickness_mm = 2.0;     // > 0
-  std::vector<Impact> impacts;   // in the order in which they happened
+  std::string name;               // unique in its scene, an identifier: letters, digits, '_' and '-'
+  geometry::Polygon outline_mm;   // simple, counter-clockwise, on the lattice
+  double thickness_mm = 2.0;      // > 0
+  std::vector<Impact> impacts;    // in the order in which they happened
+  std::optional<double> time_us;  // until when cracks have grown, >= 0; nothing: until all have stopped
   Growth growth;
   Glass glass;
   Pattern pattern = Pattern::agui1992;
@@ -226,8 +240,26 @@ struct Pane {
   std::optional<ShardRules> shards;          // nothing: cracks only
   CrackBody crack_body = CrackBody::cylinder;
   CrackSheet crack_sheet;
+  studio::Placement placement;
+  // Cracks that came from elsewhere, traced or drawn, instead of growth: a network as `broken` promises it, for this outline.
+  std::optional<CrackNetwork> given_cracks;
+  vec2 bow_mm{0.0, 0.0};  // sagittas across and along its box, within most_bow of its sides: see bend_of
 
   bool operator==(const Pane&) const = default;
 };
+
+// The most that a pane is bowed: by its side, in mm, and so that half its thickness is this part of its radius at the most. A
+// windscreen is bowed by 3 to 8 % of its width (by eye); more than 300 mm would take millions of triangles.
+inline constexpr double most_bow = 0.1;
+inline constexpr double most_bow_mm = 300.0;
+inline constexpr double most_bend_of_thickness = 0.25;
+
+// How the pane is bent: all that is made of it is made flat, and bent where it leaves for renderers. Above 0 the middle comes
+// towards the side that is hit; the corners of its bounding box stay where they are.
+inline geometry::Bend bend_of(const Pane& pane) {
+  if (pane.bow_mm == vec2{0.0, 0.0}) return {};
+  const geometry::Box box = geometry::bounding_box(pane.outline_mm);
+  return {0.5 * (box.low + box.high), 0.5 * (box.high - box.low), pane.bow_mm};
+}
 
 }  // namespace shatterpave::glass

@@ -37,6 +37,18 @@ const std::array<Preset, 12>& all_presets() {
 
 }  // namespace
 
+void apply(const WindowPreset& preset, Pane& pane) {
+  pane.thickness_mm = preset.thickness_mm;
+  pane.pattern = Pattern::real;
+  pane.crack_body = CrackBody::sheet;
+  pane.shards = ShardRules{};
+}
+
+void apply(const WindowPreset& preset, Impact& impact) {
+  impact.ball_diameter_mm = preset.ball_diameter_mm;
+  impact.speed_m_s = preset.speed_m_s;
+}
+
 std::span<const Preset> presets() { return all_presets(); }
 
 const Preset* preset(std::string_view name) {

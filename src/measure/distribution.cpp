@@ -21,6 +21,13 @@ double Distribution::variance() const { return count_ < 2 ? 0.0 : squares_ / sta
 
 double Distribution::deviation() const { return std::sqrt(variance()); }
 
+double percentile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0.0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 void Histogram::add(double value) {
   ENSURE(!counts.empty() && width > 0.0);
   const double cell = std::clamp(std::floor((value - low) / width), 0.0, static_cast<double>(counts.size() - 1));

@@ -6,6 +6,11 @@
 
 namespace shatterpave::measure {
 
+// 0 of nothing.
+inline double percentage(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
 // Count, mean, spread and range of values that are added one by one. The result depends on their order, in the last bits.
 class Distribution {
  public:
@@ -27,6 +32,10 @@ class Distribution {
   double least_ = 0.0;
   double greatest_ = 0.0;
 };
+
+// The value below which the share of the values lies, 0 <= share <= 1: one of them, the lower where it lies between two; 0 of
+// none. The order of the values changes.
+double percentile(std::vector<double>& values, double share);
 
 // Counts of values in cells of equal width from `low` on; cell i holds [low + i width, low + (i + 1) width). Values outside go
 // to the first and the last cell.

@@ -21,6 +21,12 @@ using glass::Crack;
 using glass::CrackEnd;
 using glass::CrackKind;
 
+// The chord on which the end of a ring crack is seen, and how far beyond the mean ring narrow gaps are counted: by eye.
+constexpr double ring_end_chord_mm = 1.5;
+constexpr double beyond_ring_mm = 10.0;
+// Gaps between radials that are narrower than this share of their mean.
+constexpr double narrow_gap_share = 0.25;
+
 struct NearestSide {
   vec2 along{1.0, 0.0};
   double distance_mm = std::numeric_limits<double>::infinity();
@@ -70,6 +76,20 @@ void add_ring_distances(const Crack& crack, bool second_arm, vec2 impact_mm, std
   for (std::size_t i = second_arm ? 1 : 0; i < points.size(); ++i) distances.push_back(glm::length(points[i] - impact_mm));
 }
 
+void add_ring_strays(const Crack& crack, vec2 impact_mm, std::vector<double>& strays) {
+  const double start_mm = glm::length(crack.points_mm.front() - impact_mm);
+  if (start_mm == 0.0) return;
+  const std::vector<vec2> points = tracked(crack.points_mm);
+  for (std::size_t i = 1; i < points.size(); ++i) strays.push_back(glm::length(points[i] - impact_mm) / start_mm - 1.0);
+}
+
+void add_pixel_turns(const Crack& crack, vec2 origin_mm, ImpactMeasures& result) {
+  for (const Angle turn : turns(at_whole_pixels(tracked(crack.points_mm), origin_mm))) {
+    result.least_pixel_turn = std::min(result.least_pixel_turn, turn);
+    result.greatest_pixel_turn = std::max(result.greatest_pixel_turn, turn);
+  }
+}
+
 bool is_second_arm(std::span<const Crack> cracks, std::size_t i) {
   return i > 0 && cracks[i].kind == CrackKind::circular && cracks[i - 1].kind == CrackKind::circular &&
          cracks[i].impact == cracks[i - 1].impact && cracks[i].points_mm.front() == cracks[i - 1].points_mm.front();
@@ -85,6 +105,32 @@ std::optional<double> radial_spread(const glass::CrackNetwork& network, int impa
   return gap_ratio(std::move(directions));
 }
 
+void count_gaps(const glass::CrackNetwork& network, int impact, const geometry::Polygon& outline, ImpactMeasures& result) {
+  const double radius = narrow_gap_radius_mm(result.drawn.radial_count);
+  if (nearest_side(result.drawn.at_mm, outline).distance_mm < radius) return;
+  std::vector<Angle> directions = radial_directions(network, impact, radius);
+  if (directions.size() < 3) return;
+  std::ranges::sort(directions);
+  const double narrow = narrow_gap_share * 2.0 * pi / static_cast<double>(directions.size());
+  result.gap_count = static_cast<int>(directions.size());
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const bool last = i + 1 == directions.size();
+    const double gap = (directions[last ? 0 : i + 1] - directions[i]).radians() + (last ? 2.0 * pi : 0.0);
+    if (gap < narrow) ++result.narrow_gap_count;
+  }
+}
+
+void add_ring_crack(const glass::CrackNetwork& network, std::size_t i, ImpactMeasures& result) {
+  const Crack& crack = network.cracks[i];
+  ++result.ring_crack_count;
+  if (held(crack.end, network)) ++result.held_ring_end_count;
+  add_ring_distances(crack, is_second_arm(network.cracks, i), result.drawn.at_mm, result.ring_distances_mm);
+  add_ring_strays(crack, result.drawn.at_mm, result.ring_strays);
+  if (crack.end.at != CrackEnd::At::crack) return;
+  const Crack& met = network.cracks[static_cast<std::size_t>(*crack.end.crack)];
+  if (is_radial(met.kind)) result.ring_end_angles.push_back(ring_end_angle(crack, met));
+}
+
 }  // namespace
 
 Subject subject_of(const glass::Pane& pane) {
@@ -98,17 +144,17 @@ Subject subject_of(const glass::Pane& pane) {
 PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pane) {
   PaneMeasures result;
   for (const glass::ImpactCounts& impact : network.impacts) result.impacts.emplace_back().drawn = impact;
+  const vec2 origin_mm = geometry::bounding_box(pane.outline_mm).low;
   for (std::size_t i = 0; i < network.cracks.size(); ++i) {
     const Crack& crack = network.cracks[i];
     ImpactMeasures& of_impact = result.impacts[static_cast<std::size_t>(crack.impact)];
     count_end(crack.end, of_impact.ends);
     if (crack.end.at == CrackEnd::At::edge) of_impact.edge_angles.push_back(edge_angle(crack, pane.outline_mm));
     if (crack.kind == CrackKind::circular) {
-      ++of_impact.ring_crack_count;
-      if (held(crack.end, network)) ++of_impact.held_ring_end_count;
-      add_ring_distances(crack, is_second_arm(network.cracks, i), of_impact.drawn.at_mm, of_impact.ring_distances_mm);
+      add_ring_crack(network, i, of_impact);
       continue;
     }
+    if (is_radial(crack.kind)) add_pixel_turns(crack, origin_mm, of_impact);
     if (is_radial(crack.kind) && crack.end.at == CrackEnd::At::edge) ++of_impact.reaching_count;
     if (crack.kind != CrackKind::large) continue;
     const std::vector<Angle> more = turns(tracked(crack.points_mm));
@@ -116,6 +162,7 @@ PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pan
   }
   for (std::size_t i = 0; i < result.impacts.size(); ++i) {
     result.impacts[i].gap_ratio = radial_spread(network, static_cast<int>(i), pane.outline_mm);
+    count_gaps(network, static_cast<int>(i), pane.outline_mm, result.impacts[i]);
   }
   const auto impact_of = [&](int crack) { return network.cracks[static_cast<std::size_t>(crack)].impact; };
   for (const Crossing& crossing : crossings(network)) {
@@ -127,6 +174,8 @@ PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pan
     result.fragment_counts = fragment_counts(network, pane);
     result.least_fragment_count = glass::least_fragment_count(pane.thickness_mm);
   }
+  const bool real = pane.pattern == glass::Pattern::real && std::holds_alternative<glass::Annealed>(pane.glass);
+  if (real && !network.impacts.empty()) result.pattern = pattern_measures(network, pane);
   return result;
 }
 
@@ -140,6 +189,16 @@ Angle edge_angle(const Crack& crack, const geometry::Polygon& outline_mm) {
   const vec2 chord = backwards.front() - (points.size() > 1 ? points[1] : backwards.back());
   const vec2 side = nearest_side(backwards.front(), outline_mm).along;
   return Angle::radians(arctangent(std::abs(cross(side, chord)), std::abs(glm::dot(side, chord))));
+}
+
+Angle ring_end_angle(const Crack& ring, const Crack& met) {
+  const vec2 tip = ring.points_mm.back();
+  const std::vector<vec2> points =
+      tracked(std::vector<vec2>(ring.points_mm.rbegin(), ring.points_mm.rend()), ring_end_chord_mm);
+  const vec2 chord = tip - (points.size() > 1 ? points[1] : ring.points_mm.front());
+  const auto at = std::ranges::min_element(met.points_mm, {}, [&](vec2 p) { return glm::length(p - tip); });
+  const vec2 along = *(at + 1 == met.points_mm.end() ? at : at + 1) - *(at == met.points_mm.begin() ? at : at - 1);
+  return Angle::radians(arctangent(std::abs(cross(along, chord)), std::abs(glm::dot(along, chord))));
 }
 
 double gap_ratio(std::vector<Angle> directions) {
@@ -166,6 +225,8 @@ std::vector<Angle> radial_directions(const glass::CrackNetwork& network, int imp
   }
   return directions;
 }
+
+double narrow_gap_radius_mm(int radial_count) { return experiment_ring_radius_mm(radial_count) + beyond_ring_mm; }
 
 double spread_radius_mm(int radial_count) { return greatest_ring_ratio * experiment_ring_radius_mm(radial_count); }
 

@@ -7,6 +7,7 @@
 #include "core/angle.h"
 #include "glass/network.h"
 #include "glass/pane.h"
+#include "measure/pattern_measures.h"
 
 namespace shatterpave::measure {
 
@@ -29,8 +30,14 @@ struct ImpactMeasures {
   int held_ring_end_count = 0;            // of them those that end on a radial crack or on the edge
   std::vector<double> ring_distances_mm;  // d_i (Fig. 4): of each feature point of the ring cracks from the impact
   std::vector<Angle> turns;               // θ_i (Fig. 3) along the large cracks
+  Angle least_pixel_turn;                 // of θ_i along all radials, tracked by whole pixels: 0 or less
+  Angle greatest_pixel_turn;              // 0 or more
   std::vector<Angle> edge_angles;         // of each crack that ends on the edge, in its order: see edge_angle
+  std::vector<Angle> ring_end_angles;     // of each ring crack that ends on a radial, with it: see ring_end_angle
+  std::vector<double> ring_strays;        // of each feature point of the ring cracks: d_i over d of the starting point, less 1
   std::optional<double> gap_ratio;        // of the radials beyond the ring: see gap_ratio
+  int gap_count = 0;                      // between neighbouring radials where they leave the ring: see narrow_gap_radius_mm
+  int narrow_gap_count = 0;               // of them those less than a quarter as wide as their mean
   int crossing_count = 0;                 // crossings with cracks of this impact and of earlier ones; must be 0
 
   bool operator==(const ImpactMeasures&) const = default;
@@ -48,6 +55,7 @@ struct PaneMeasures {
   Subject subject = Subject::experiment;
   std::vector<double> fragment_counts = {};  // of tempered glass (measure/fragments.h)
   double least_fragment_count = 0.0;         // that EN 12150-1 wants of it
+  std::optional<PatternMeasures> pattern;    // of annealed glass and Pattern::real
 
   bool operator==(const PaneMeasures&) const = default;
 };
@@ -61,6 +69,11 @@ PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pan
 // the last point on it that is a chord (measure/tracking.h) away from the tip as the crow flies, or from its start, to the tip.
 Angle edge_angle(const glass::Crack& crack, const geometry::Polygon& outline_mm);
 
+// The angle, 0 … 90°, between the end of a ring crack and the crack it ends on there, on a chord of 1.5 mm: shorter than a
+// chord of the tracking, since a tip turns towards what it meets within the last millimetres.
+//   ring  ends in a vertex of `met`, or near it
+Angle ring_end_angle(const glass::Crack& ring, const glass::Crack& met);
+
 // How evenly n >= 3 directions are spread: the variance of the gaps between neighbours, in units of that of as many directions
 // drawn at random. 0: all gaps alike; 1: as if random; above 1: bundled. (With uniform directions the gaps follow a Dirichlet
 // law, whose squared coefficient of variation is (n − 1)/(n + 1).)
@@ -73,5 +86,8 @@ std::vector<Angle> radial_directions(const glass::CrackNetwork& network, int imp
 // The circle on which the spread of the radials is measured (rule 7 of §3.2): just beyond where rings lie, 1.3 (eq. 8) times
 // the mean radius of M (eq. 2).
 double spread_radius_mm(int radial_count);
+
+// The circle on which narrow gaps between radials are counted: 10 mm beyond the mean radius of M.
+double narrow_gap_radius_mm(int radial_count);
 
 }  // namespace shatterpave::measure

@@ -11,6 +11,7 @@
 #include "geometry/lattice.h"
 #include "measure/bare_spot.h"
 #include "measure/coverage.h"
+#include "measure/distribution.h"
 #include "measure/stone_index.h"
 #include "paving/bonds/bond.h"
 #include "paving/bonds/border.h"
@@ -54,7 +55,7 @@ double weighted_mean(const std::vector<Weighted>& values) {
 }
 
 // The least value below which `share` of all weight lies.
-double percentile(std::vector<Weighted> values, double share) {
+double weighted_percentile(std::vector<Weighted> values, double share) {
   std::ranges::sort(values);
   const double total =
       std::accumulate(values.begin(), values.end(), 0.0, [](double t, const Weighted& v) { return t + v.weight; });
@@ -65,15 +66,6 @@ double percentile(std::vector<Weighted> values, double share) {
   }
   return 0.0;
 }
-
-double percentile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0.0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-double percentage(double part, double whole) { return whole > 0.0 ? 100.0 * part / whole : 0.0; }
 
 // Least angle between a side and an axis, or the line across it.
 double misaligned_deg(vec2 side, vec2 axis) {
@@ -281,15 +273,15 @@ void sum_up(const Pavement& pavement, const std::vector<StoneSamples>& samples, 
   for (const double joint : joints) measures.joints_percent.add(100.0 * joint);
   figures.sides = sides.size();
   figures.misaligned_mean_deg = weighted_mean(sides);
-  figures.misaligned_p95_deg = percentile(std::move(sides), 0.95);
-  figures.four_sided_percent = percentage(static_cast<double>(four_sided), static_cast<double>(figures.shaped));
+  figures.misaligned_p95_deg = weighted_percentile(std::move(sides), 0.95);
+  figures.four_sided_percent = percentage(four_sided, figures.shaped);
   figures.joints = joints.size();
   figures.joint_p5_percent = 100.0 * percentile(joints, 0.05);
   figures.joint_median_percent = 100.0 * percentile(joints, 0.5);
   figures.joint_p95_percent = 100.0 * percentile(joints, 0.95);
   figures.sized = areas.count();
   figures.area_mean_percent = 100.0 * areas.mean();
-  figures.area_spread_percent = percentage(areas.deviation(), areas.mean());
+  figures.area_spread_percent = areas.mean() > 0.0 ? 100.0 * areas.deviation() / areas.mean() : 0.0;
   figures.smallest_percent = 100.0 * smallest;
 }
 
@@ -353,7 +345,13 @@ LayoutMeasures measured(const Pavement& pavement, const StoneLayout& set_out, co
   figures.covered_percent = 100.0 * coverage.share;
   figures.holes = coverage.holes.size();
   measures.holes_mm = std::move(coverage.holes);
-  note_missing(lying, measures);
+  if (pavement.hand.amount > 0.0) {
+    // Set out by hand there are other stones than by the line, with ids of their own.
+    figures.missing = lying.missing.size();
+    figures.hand = hand_figures(pavement, lying);
+  } else {
+    note_missing(lying, measures);
+  }
   return measures;
 }
 

@@ -20,7 +20,8 @@
 // least one row or column; measure/field_defects.h tells the least number that the field allows.
 //
 // What [pavement.variation] asks for is no fault: stones missing, turned, moved and of other sizes. So faults are looked for
-// among the stones as they lie, and all else is measured on the stones as they were set out, before variation.
+// among the stones as they lie, and all else is measured on the stones as they were set out, before variation. So it is with
+// stones laid by hand, of which what photographs measure is told besides, as they lie (measure/hand_figures.h).
 #pragma once
 
 #include <optional>
@@ -28,6 +29,7 @@
 
 #include "measure/distribution.h"
 #include "measure/field_defects.h"
+#include "measure/hand_figures.h"
 #include "measure/layout_faults.h"
 #include "measure/stone_stock.h"
 #include "paving/pavement.h"
@@ -89,6 +91,8 @@ struct LayoutFigures {
   std::size_t irregular_stones = 0;
   std::size_t irregular_spots = 0;
   FieldDefects field;  // of a packing
+
+  HandFigures hand;  // of stones laid by hand, as they lie; else of nothing
 };
 
 struct LayoutMeasures {

@@ -9,11 +9,13 @@
 #include "measure/finding.h"
 #include "measure/line.h"
 #include "measure/pane_measures.h"
+#include "measure/pattern_totals.h"
 
 namespace shatterpave::measure {
 
 // The figures against the measured panes are of each pane's first impact: the cracks of later ones stop at earlier ones, and no
 // pane of the paper was hit twice. Crossings are those of all impacts.
+// Of annealed panes of Pattern::real there are findings of their own (PatternTotals), if there are any.
 // Of panes that are not of the paper's kind (Subject) nothing is held against its panes: only crossings and ends of ring cracks
 // are added up, or crossings and fragments; where there are no others, the findings against the paper's panes are open.
 struct Summary {
@@ -42,6 +44,8 @@ class Totals {
  private:
   void add_rings(const ImpactMeasures& impact);
   void add_turns(const ImpactMeasures& impact);
+  void add_pixel_turns(const ImpactMeasures& impact);
+  void add_rule_findings(std::vector<Finding>& findings) const;
 
   Summary sums_;  // but its lines and findings
   std::vector<vec2> large_points_;
@@ -55,6 +59,17 @@ class Totals {
   std::size_t squares_ = 0;  // in which fragments of tempered glass were counted
   std::size_t coarse_squares_ = 0;
   std::size_t impacts_ = 0;
+  // Six panes in succession that are like cr_1 … cr_6: how many there are of the next six, and the extremes of their turns.
+  int in_six_ = 0;
+  double least_of_six_deg_ = 0.0;
+  double greatest_of_six_deg_ = 0.0;
+  Distribution turn_extreme_deg_;  // of each six: half of the way from the least turn to the greatest
+  std::size_t gaps_ = 0;
+  std::size_t narrow_gaps_ = 0;
+  std::size_t ring_end_angles_ = 0;
+  std::size_t square_ring_end_angles_ = 0;
+  Distribution ring_stray_;
+  PatternTotals pattern_;  // of panes of Pattern::real
 };
 
 // The finding with that id, which must be one of them.

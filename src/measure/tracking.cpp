@@ -28,6 +28,14 @@ std::vector<vec2> tracked(std::span<const vec2> line, double step_mm) {
   return points;
 }
 
+std::vector<vec2> at_whole_pixels(std::vector<vec2> feature_points, vec2 origin) {
+  for (vec2& point : feature_points) {
+    const vec2 px = (point - origin) / glass::px_mm;
+    point = origin + glass::px_mm * vec2{std::floor(px.x + 0.5), std::floor(px.y + 0.5)};
+  }
+  return feature_points;
+}
+
 std::vector<Angle> turns(std::span<const vec2> feature_points) {
   std::vector<Angle> result;
   if (feature_points.size() > 2) result.reserve(feature_points.size() - 2);

@@ -20,6 +20,10 @@ inline constexpr double chord_mm = 10.0 * glass::px_mm;
 //   step_mm  > 0
 std::vector<vec2> tracked(std::span<const vec2> line, double step_mm = chord_mm);
 
+// The same points as the paper had them from photographs, each at the middle of a pixel: moved to the nearest place that is
+// whole pixels away from `origin`, half a pixel at the most each way.
+std::vector<vec2> at_whole_pixels(std::vector<vec2> feature_points, vec2 origin);
+
 // Where the segment from `from`, which lies within the circle of `radius` about `centre`, to `to`, which does not, leaves it.
 vec2 way_out(vec2 centre, double radius, vec2 from, vec2 to);
 

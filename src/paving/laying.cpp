@@ -16,7 +16,9 @@
 #include "paving/packing/particle_cells.h"
 #include "paving/packing/settling.h"
 #include "paving/tiles/cells.h"
+#include "paving/tiles/colouring.h"
 #include "paving/tiles/cutting.h"
+#include "paving/tiles/hand_setting.h"
 #include "paving/tiles/variation.h"
 
 namespace shatterpave::paving {
@@ -42,7 +44,7 @@ Place place_of(const Pavement& pavement, std::string_view member) {
   return {{}, 0, 0, fmt::format("{}.{}", pavement.name, member)};
 }
 
-// What some bonds ask of the shape of their stones.
+// Refuses stones of a shape that the bond cannot use.
 void check_shape(const Pavement& pavement) {
   const vec2 stone = pavement.stone_mm;
   const BondType& type = type_of(pavement);
@@ -95,12 +97,14 @@ Setting packed_setting(const Pavement& pavement, const geometry::RegionIndex& ar
   Cells cells = cells_of(particles, pavement);
   const bool exact = std::holds_alternative<ConstantDirection>(pavement.direction);
   if (!exact) cells = settled_cells(std::move(cells), particles, pavement, area);
+  if (pavement.hand.amount > 0.0) cells = hand_set(cells, pavement.hand.amount, seed, Id(pavement.name));
   return {std::move(cells),
           [&field](const Piece&, const geometry::Polygon& face) { return field.angle(geometry::centroid(face)); }};
 }
 
-Setting bonded_setting(const std::vector<Tile>& tiles) {
-  return {cells_of(tiles), [](const Piece& piece, const geometry::Polygon&) { return axis_angle(piece.axis); }};
+Setting bonded_setting(std::vector<Tile> tiles, const Pavement& pavement, std::uint64_t seed) {
+  return {cells_of(hand_set(std::move(tiles), pavement.hand.amount, seed, Id(pavement.name))),
+          [](const Piece& piece, const geometry::Polygon&) { return axis_angle(piece.axis); }};
 }
 
 double longer_side(vec2 stone_mm) { return std::max(stone_mm.x, stone_mm.y); }
@@ -111,9 +115,16 @@ double rounding_mm2(vec2 stone_mm) {
   return width_mm * (stone_mm.x + stone_mm.y);
 }
 
+// The stones as they are set out, and which of them must not move: a piece that is as narrow as the joint somewhere falls apart
+// into stones that may nearly touch there.
+struct SetOut {
+  StoneLayout layout;
+  std::vector<bool> held;
+};
+
 // Appends the stones of what is set within `region`.
 void append_stones(const Setting& setting, const geometry::Region& region, const geometry::RegionIndex& index,
-                   const StoneSize& size, StonePart part, StoneLayout& layout) {
+                   const StoneSize& size, StonePart part, SetOut& set_out) {
   const auto pieces = pieces_within(setting.cells, region, index, size);
   std::vector<std::vector<geometry::Polygon>> faces(pieces.size());
   parallel_for(pieces.size(), [&](std::size_t p) { faces[p] = laid_faces(pieces[p], size); });
@@ -121,17 +132,18 @@ void append_stones(const Setting& setting, const geometry::Region& region, const
     for (auto& face : faces[p]) {
       const auto kind = pieces[p].cut || faces[p].size() > 1 ? StoneKind::cut : StoneKind::whole;
       const Angle angle = setting.angle(pieces[p], face);
-      layout.stones.push_back({static_cast<int>(layout.stones.size()), kind, std::move(face), angle, part});
+      set_out.layout.stones.push_back({static_cast<int>(set_out.layout.stones.size()), kind, std::move(face), angle, part});
+      set_out.held.push_back(faces[p].size() > 1);
     }
   }
 }
 
 // The square packing, zone by zone where rows are mitred.
-void append_packing(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, StoneLayout& layout) {
+void append_packing(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, SetOut& set_out) {
   const DirectionField field(pavement, area);
   const StoneSize size{whole_face_mm2(pavement), longer_side(pavement.stone_mm), pavement.joint_mm, stock(pavement), -1.0};
   if (field.zones().empty()) {
-    append_stones(packed_setting(pavement, area, field, seed), pavement.area, area, size, StonePart::field, layout);
+    append_stones(packed_setting(pavement, area, field, seed), pavement.area, area, size, StonePart::field, set_out);
     return;
   }
   for (const DirectionField::Zone& zone : field.zones()) {
@@ -139,40 +151,38 @@ void append_packing(const Pavement& pavement, const geometry::RegionIndex& area,
     zoned.direction = zone.direction;
     for (const geometry::Region& part : zone.areas) {
       const geometry::RegionIndex index(part);
-      append_stones(packed_setting(zoned, index, zone.field, seed), part, index, size, StonePart::field, layout);
+      append_stones(packed_setting(zoned, index, zone.field, seed), part, index, size, StonePart::field, set_out);
     }
   }
 }
 
 // The bond, within the border course if there is one.
-void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, StoneLayout& layout) {
+void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, SetOut& set_out) {
   if (type_of(pavement).bending == Bending::packed) {
-    append_packing(pavement, area, seed, layout);
+    append_packing(pavement, area, seed, set_out);
     return;
   }
-  append_stones(bonded_setting(bond_tiles(pavement, area, seed)), pavement.area, area,
+  append_stones(bonded_setting(bond_tiles(pavement, area, seed), pavement, seed), pavement.area, area,
                 {whole_face_mm2(pavement), longer_side(pavement.stone_mm), pavement.joint_mm, stock(pavement),
                  rounding_mm2(pavement.stone_mm)},
-                StonePart::field, layout);
+                StonePart::field, set_out);
 }
 
 // The border course, and the bond within it.
-void append_bordered_bond(const Pavement& pavement, std::uint64_t seed, StoneLayout& layout) {
+void append_bordered_bond(const Pavement& pavement, std::uint64_t seed, SetOut& set_out) {
   BorderedArea parts = bordered_area(pavement);
-  const Setting course = bonded_setting(border_tiles(pavement, parts.course));
+  const Setting course = bonded_setting(border_tiles(pavement, parts.course), pavement, seed);
   const vec2 stone = border_stone_mm(pavement);
   for (const geometry::Region& region : parts.course) {
-    const StoneSize size{stone.x * stone.y,
-                         longer_side(stone),
-                         pavement.joint_mm,
-                         {stone, stone.x * stone.y, {}, {1.0, 0.0}},
+    const StoneSize size{stone.x * stone.y, longer_side(stone), pavement.joint_mm,
+                         hand_stock({stone, stone.x * stone.y, {}, {1.0, 0.0}}, pavement.joint_mm, pavement.hand.amount),
                          rounding_mm2(stone)};
-    append_stones(course, region, geometry::RegionIndex(region), size, StonePart::border, layout);
+    append_stones(course, region, geometry::RegionIndex(region), size, StonePart::border, set_out);
   }
   Pavement within = pavement;
   for (geometry::Region& region : parts.within) {
     within.area = std::move(region);
-    append_bond(within, geometry::RegionIndex(within.area), seed, layout);
+    append_bond(within, geometry::RegionIndex(within.area), seed, set_out);
   }
 }
 
@@ -189,13 +199,15 @@ void require_layable(const Pavement& pavement) {
 
 StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
   require_layable(pavement);
-  StoneLayout layout;
+  SetOut set_out;
   if (pavement.border.course == BorderCourse::none) {
-    append_bond(pavement, geometry::RegionIndex(pavement.area), seed, layout);
+    append_bond(pavement, geometry::RegionIndex(pavement.area), seed, set_out);
   } else {
-    append_bordered_bond(pavement, seed, layout);
+    append_bordered_bond(pavement, seed, set_out);
   }
-  return varied(std::move(layout), pavement, side_bulge(pavement), seed);
+  StoneLayout layout = varied(std::move(set_out.layout), set_out.held, pavement, side_bulge(pavement), seed);
+  colour(layout, pavement, seed);
+  return layout;
 }
 
 }  // namespace shatterpave::paving

@@ -8,8 +8,8 @@
 
 namespace shatterpave::paving {
 
-// Throws InputError where `pavement` cannot be laid: sizes that mean nothing, shapes that its bond cannot do with, too many
-// stones.
+// Throws InputError if `pavement` cannot be laid: because sizes mean nothing, its bond cannot use such stones, or there would
+// be too many of them.
 void require_layable(const Pavement& pavement);
 
 // The stones of `pavement`, in order of their ids. A pure function of its arguments.

@@ -2,7 +2,12 @@
 // check a pavement for whoever calls them without a scene file take the same numbers.
 #pragma once
 
+#include <cstddef>
+
 namespace shatterpave::paving {
+
+// Pavements of a scene, where each area and each step of a flight is one.
+inline constexpr std::size_t most_pavements = 1000;
 
 // Both ends belong to it.
 struct Bounds {
@@ -14,7 +19,7 @@ struct Bounds {
 // ends only, since stones that follow from others, such as those of round steps, may be longer than one that is asked for.
 inline constexpr Bounds stone_bounds_mm{1.0, 100'000.0};
 inline constexpr Bounds joint_bounds_mm{0.0, 1000.0};
-// Of `Bonding::span_mm`; what is above 0 must also be five stones wide, or the arcs are no arcs (laying.cpp).
+// Of `Bonding::span_mm`. If it is not 0, it must also be at least five stones wide, since fewer make no arc (laying.cpp).
 inline constexpr Bounds span_bounds_mm{0.0, 1'000'000.0};
 // Of `Bonding::offset`, a part of a stone.
 inline constexpr Bounds offset_bounds{0.0, 1.0};

@@ -1,14 +1,17 @@
 // A pavement as it is asked for: by a scene, or by a room that makes one of another, as kerbs and steps are.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/angle.h"
 #include "geometry/polygon.h"
 #include "paving/texture_set.h"
+#include "studio/world.h"
 
 namespace shatterpave::paving {
 
@@ -36,16 +39,27 @@ struct GuidesDirection {
   bool operator==(const GuidesDirection&) const = default;
 };
 
-using Direction = std::variant<ConstantDirection, BoundaryDirection, RadialDirection, GuidesDirection>;
+// Rows follow vectors that are given on a square grid (Fig. 1(a) of Miyata and Itoh), in rows from the lowest; between them the
+// direction is interpolated, beyond them it is that of the nearest. Lengths and signs have no meaning; a vector of length 0
+// says nothing, and its place takes what its neighbours say.
+struct GridDirection {
+  vec2 origin_mm{0.0, 0.0};   // of the first vector
+  double pitch_mm = 1000.0;   // from one to the next, along x and along y, > 0
+  std::size_t columns = 0;    // >= 2
+  std::vector<vec2> vectors;  // whole rows, two or more; finite, not all 0
+  bool operator==(const GridDirection&) const = default;
+};
+
+using Direction = std::variant<ConstantDirection, BoundaryDirection, RadialDirection, GuidesDirection, GridDirection>;
 
 // The bond: the rule by which stones are laid. What each is, and makes of `stone_mm`, is told in its file of paving/bonds.
 // Ordered as the table there; `course` is the last.
 enum class Bond {
   packed,         // square packing along the direction field (Miyata and Itoh §3)
-  running,        // rows, each moved on against the last
+  running,        // rows, each shifted against the one before
   stack,          // rows with their perpends in line
   herringbone,    // oblong stones at right angles, in steps
-  basket_weave,   // pairs (or more) of oblong stones, turned by turns
+  basket_weave,   // blocks of two or more oblong stones, along and across by turns
   hexagon,        // honeycomb
   segmental_arc,  // rows of setts in flat arcs, side by side
   fan,            // setts in rings about the feet of fans, which overlap like scales
@@ -57,7 +71,7 @@ enum class Bond {
 
 struct Bonding {
   Bond bond = Bond::packed;
-  double offset = 0.5;   // running: how far each row moves on, as a part of a stone, 0 … 1
+  double offset = 0.5;   // running: how far each row is shifted, as a part of a stone, 0 … 1
   Angle turn;            // of the pattern against the rows; herringbone: 0° or 45° are usual
   double span_mm = 0.0;  // segmental arc, fan: width of an arc or a fan, >= 0; 0: twelve stones
   double start = 0.0;    // running, stack: how far the first row has moved on, as a part of a stone, 0 … 1
@@ -127,6 +141,18 @@ struct Variation {
   bool operator==(const Variation&) const = default;
 };
 
+// How far the hand of a paviour shows, where stones were not sawn and lines not drawn (paving/tiles/hand_laying.h). Rows and
+// lengths differ first, then each corner lies by itself, so that joints are wedges about `joint_mm`. What is not given follows
+// from `amount`.
+struct HandLaying {
+  double amount = 0.0;            // 0: as exact as can be, to 1: a worn alley
+  std::optional<double> rounded;  // cut off at each corner, as a part of the shorter side beside it, 0 … 0.3
+  std::optional<double> nibbled;  // part of the corners of which more has gone, 0 … 1
+  std::optional<double> sunk;     // part of the stones that lie in a hollow, 0 … 1
+  std::optional<double> sunk_mm;  // how deep these lie at the most, >= 0
+  bool operator==(const HandLaying&) const = default;
+};
+
 // Micro relief: a fractal surface on top (§4 (2)).
 struct Relief {
   double rms_mm = 0.6;  // root mean square of the height, >= 0; 0 leaves it out
@@ -146,12 +172,24 @@ enum class Material {
 
 enum class JointFill { sand, mortar };
 
+// Colours of the user's own, in place of those of the material, each of its share of the stones (paving/tiles/colouring.h).
+struct ColourMix {
+  std::vector<vec3> colours;   // sRGB, each 0 … 1; none: the material's own
+  std::vector<double> shares;  // as many, each > 0, 1 together
+  // From here to there the colours follow one another in their order; without it they are mixed evenly.
+  std::optional<std::pair<vec2, vec2>> gradient_mm;
+  std::vector<vec2> attractors_mm;  // or outwards from the nearest of these
+  double blur = 0.5;                // 0: they follow in bands, to 1: they hardly do
+  bool operator==(const ColourMix&) const = default;
+};
+
 // How a pavement looks.
 struct Look {
   Material material = Material::setts;
   std::optional<JointFill> joint_fill;  // not given: sand with moss here and there
   std::optional<double> moss;           // in joints and on arrises, 0 … 1; not given: as the filling has it
   double wetness = 0.0;                 // 0 … 1: to 0.5 wet stone, above it water stands in the low spots
+  ColourMix colours;
   bool operator==(const Look&) const = default;
 };
 
@@ -191,7 +229,7 @@ struct Detail {
 };
 
 struct Pavement {
-  std::string name;             // unique in its scene, an identifier: letters, digits, '_' and '-'
+  std::string name;             // an identifier: letters, digits, '_' and '-'
   geometry::Region area;        // the paved area, mm
   vec2 stone_mm{100.0, 100.0};  // face of a whole stone: along the rows, across them; > 0
   double joint_mm = 8.0;        // between faces of neighbours, >= 0; half of it stays free along outline and holes
@@ -201,12 +239,15 @@ struct Pavement {
   StoneSurface surface;
   StoneBody body;
   Variation variation;
+  HandLaying hand;
   Relief relief;
   TextureSet textures;
   Look look;
   Ground ground;
   Kerb kerb;
+  std::optional<Flight> flight;  // given: laid as steps
   std::optional<Detail> detail;  // not given: all stones alike
+  studio::Placement placement;
 
   bool operator==(const Pavement&) const = default;
 };

@@ -17,6 +17,7 @@
 #include "paving/bonds/table.h"
 #include "paving/limits.h"
 #include "paving/packing/packing.h"
+#include "paving/tiles/colouring.h"
 #include "paving/tiles/cutting.h"
 #include "paving/tiles/variation.h"
 
@@ -205,7 +206,8 @@ SeamlessTile seamless_tile(const Pavement& pavement, std::uint64_t seed) {
       }
     }
   }
-  tile.layout = varied(std::move(tile.layout), pavement, side_bulge(pavement), seed);
+  tile.layout = varied(std::move(tile.layout), {}, pavement, side_bulge(pavement), seed);
+  colour(tile.layout, pavement, seed);
   return tile;
 }
 

@@ -13,8 +13,9 @@ enum class StoneKind {
   cut,  // the outline or a hole took part of it
 };
 
-// What of a pavement a stone is of: the bond, or the course along its border.
-enum class StonePart { field, border };
+// What a stone is of: the bond of a pavement, the course along its border, a kerb (paving/derived/kerb.h), or a step of a
+// flight (paving/derived/steps.h).
+enum class StonePart { field, border, kerb, step };
 
 struct Stone {
   int id = 0;  // its index among all that were laid; those of missing stones are left out
@@ -22,6 +23,8 @@ struct Stone {
   geometry::Polygon outline_mm;  // its face before edges are rounded; counter-clockwise, simple, on the lattice
   Angle angle;                   // of its rows, from +x
   StonePart part = StonePart::field;
+  double sunk_mm = 0.0;  // how far it lies in a hollow of its own, >= 0
+  int colour = -1;       // which of the user's own colours it has; -1: the material's
 
   bool operator==(const Stone&) const = default;
 };
@@ -29,6 +32,7 @@ struct Stone {
 // Stones do not overlap, and lie within the area of their pavement: exactly, on the lattice. Neighbours are a joint apart.
 struct StoneLayout {
   std::vector<Stone> stones;
+  std::vector<Stone> missing;  // those that would lie in hollows of stones laid by hand, where the filling shows; by id
 
   bool operator==(const StoneLayout&) const = default;
 };

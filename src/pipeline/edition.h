@@ -8,7 +8,7 @@
 
 namespace shatterpave::pipeline {
 
-// Of the scene of that name, read from what has that fingerprint (scene/scene.h); `kind` is what is made of it.
+// The edition of the scene of that name whose sources have that fingerprint (scene/scene.h); `kind` is what is made of it.
 Edition edition_of(const std::string& scene, std::string_view fingerprint, const std::string& kind);
 
 }  // namespace shatterpave::pipeline

@@ -26,7 +26,7 @@ namespace {
 
 enum class Attempt { taken, busy, impossible };
 
-// Of the whole file, for writing.
+// A write lock on the whole file.
 Attempt attempted_lock(int descriptor, Locking locking) {
   if (locking == Locking::age) return Attempt::impossible;
   struct flock lock {};
@@ -107,12 +107,12 @@ bool FolderLock::tried() {
   return false;
 }
 
-// To make a folder fails where there is one, on any file system, also between hosts.
+// Making a folder fails if it exists, on any file system, also between hosts.
 bool FolderLock::tried_by_age() {
   if (::mkdir(held_path().c_str(), 0777) == 0) return true;
   if (errno != EEXIST) throw_last_error("cannot write to the output folder", folder_);
   if (age_of(held_path(), descriptor_) <= stale_lock) return false;
-  // Moved away first: of several that find it old, one succeeds. Put back if it is another by now.
+  // Moves the folder away first: of several runs that find it old, one succeeds. Puts it back if it is a newer one by now.
   std::string old = held_path().string() + "-XXXXXX";
   if (::mkdtemp(old.data()) == nullptr) return false;
   const bool moved = ::rename(held_path().c_str(), old.c_str()) == 0;

@@ -23,19 +23,19 @@ enum class Locking {
   age      // by age in any case
 };
 
-// Another run held the lock for longer than any publication takes.
+// Another run that holds the lock for longer is given up on: no publication takes as long.
 inline constexpr std::chrono::seconds longest_wait{120};
-// Where only age tells: a lock of a folder that is older was left by a killed run, and a mark that was not touched for so long.
+// If only age tells: a folder's lock that is older, and a mark not touched for longer, were left by a killed run.
 inline constexpr std::chrono::seconds stale_lock{60};
 inline constexpr std::chrono::seconds stale_mark{3600};
 
-// The lock of a folder. To be held for moments only: while files are moved, never while they are made.
+// The lock of a folder. It is held for moments only: while files are moved, never while they are made.
 class FolderLock {
  public:
   // Waits for it. Throws Interrupted if `cancelled` says so meanwhile, std::runtime_error after `longest_wait`, and
   // std::filesystem::filesystem_error where the folder cannot be written to.
   explicit FolderLock(const std::filesystem::path& folder, const Cancelled& cancelled = {}, Locking locking = Locking::kernel);
-  // Without notes, no file is left.
+  // If the notes are empty, no file is left.
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -60,7 +60,7 @@ class FolderLock {
   bool by_age_ = false;
 };
 
-// A file that tells as long as this lives that its maker does.
+// A file that shows, while this object lives, that its maker is alive.
 class LifeMark {
  public:
   explicit LifeMark(const std::filesystem::path& file, Locking locking = Locking::kernel);

@@ -30,14 +30,14 @@ struct NotedSet {
 // At most one set of a scene and kind.
 using FolderNotes = std::vector<NotedSet>;
 
-// Throws InputError, at the file that `place` names, where the text is no such notes. Of an empty text there are none.
+// Throws InputError, at the file that `place` names, if the text holds no notes of this form. An empty text holds none.
 FolderNotes notes_of_text(std::string_view text, const std::string& place);
 // JSON, a file a line, sorted: the same for the same notes.
 std::string text_of_notes(const FolderNotes& notes);
 
 // The set of the edition's scene and kind, or null.
 const NotedSet* set_of(const FolderNotes& notes, const Edition& edition);
-// The set of another scene or kind that has a file of that name and another sum, or null. An empty sum is like no other.
+// The set of another scene or kind that has a file of that name and another sum, or null. An empty sum differs from all others.
 const NotedSet* owner_of(const FolderNotes& notes, const Edition& edition, const std::string& name, const std::string& sum);
 // Files of an earlier state of the edition that are in no other set nor in `files`, with their sums.
 FileSums outdated(const FolderNotes& notes, const Edition& edition, const FileSums& files);

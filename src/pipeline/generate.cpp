@@ -1,7 +1,6 @@
 #include "pipeline/generate.h"
 
 #include <algorithm>
-#include <functional>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -10,38 +9,18 @@
 #include "core/parallel.h"
 #include "glass/breaking.h"
 #include "glass/gaps/crack_surface.h"
+#include "glass/map/growth_clock.h"
 #include "glass/shards/shards.h"
-#include "paving/derived/kerb.h"
 #include "paving/laying.h"
 #include "paving/seamless.h"
+#include "pipeline/parts.h"
 #include "pipeline/placed.h"
 
 namespace shatterpave::pipeline {
 
 namespace {
 
-const scene::KeyPlaces& places_at(const std::vector<scene::KeyPlaces>& places, std::size_t i) {
-  static const scene::KeyPlaces none;
-  return i < places.size() ? places[i] : none;
-}
-
-// Of what a pavement of the model was made.
-struct Origin {
-  std::size_t pavement = 0;  // of the scene
-  bool is_kerb = false;
-};
-
-// What is wrong with a kerb is wrong with the key that asks for it.
-void with_kerb_places(const scene::KeyPlaces& places, const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    const Place place = places.place("ground.kerb_width_mm");
-    if (!error.place().file.empty() || place.file.empty()) throw;
-    throw InputError(place, "kerb: " + error.message());
-  }
-}
-
+// What is made of the cracks is made of all that come to be, and shows what of them is there at the pane's time.
 void break_pane(exporting::BrokenPane& broken, std::uint64_t seed) {
   broken.network = glass::broken(broken.pane, seed);
   if (broken.pane.shards) {
@@ -49,19 +28,25 @@ void break_pane(exporting::BrokenPane& broken, std::uint64_t seed) {
   } else if (broken.pane.crack_body == glass::CrackBody::sheet) {
     broken.surfaces = glass::crack_surfaces(broken.pane, broken.network, seed);
   }
+  if (!broken.pane.time_us) return;
+  broken.network = glass::network_at(broken.pane, broken.network, *broken.pane.time_us);
+  broken.pane.impacts.resize(std::min(broken.pane.impacts.size(), broken.network.impacts.size()));
 }
 
-void lay(exporting::PavedArea& paved, std::uint64_t seed) {
+void lay(exporting::PavedArea& paved, paving::StonePart stones, std::uint64_t seed) {
   paved.layout = paving::laid_stones(paved.pavement, seed);
+  if (stones != paving::StonePart::field) {
+    for (paving::Stone& stone : paved.layout.stones) stone.part = stones;
+  }
   if (paved.pavement.textures.seamless) paved.tile = paving::seamless_tile(paved.pavement, seed);
 }
 
-// The names of what is in work, in the order in which it began.
+// The names of the things that are being made, in the order in which they were begun.
 class InWork {
  public:
   InWork(std::size_t count, const Progress& progress) : count_(count), progress_(progress) { report(); }
 
-  // In work while it lives.
+  // The thing is being made while this lives.
   class Thing {
    public:
     Thing(InWork& in_work, const std::string& name) : in_work_(in_work), name_(name) { in_work_.begin(name_); }
@@ -102,44 +87,21 @@ class InWork {
   std::size_t done_ = 0;
 };
 
-}  // namespace
-
-void require_possible(const scene::Scene& scene) {
+void require_possible(const scene::Scene& scene, const std::vector<PavementPart>& parts) {
   for (std::size_t i = 0; i < scene.panes.size(); ++i) {
     const glass::Pane& pane = scene.panes[i];
     with_places(pane.name, places_at(scene.pane_places, i), [&] { glass::require_breakable(pane); });
   }
-  for (std::size_t i = 0; i < scene.pavements.size(); ++i) {
-    const paving::Pavement& pavement = scene.pavements[i];
-    const scene::KeyPlaces& places = places_at(scene.pavement_places, i);
-    with_places(pavement.name, places, [&] {
-      paving::require_layable(pavement);
-      if (pavement.textures.seamless) paving::require_seamless(pavement);
+  for (const PavementPart& part : parts) {
+    with_places(scene, part, [&] {
+      paving::require_layable(part.pavement);
+      if (part.pavement.textures.seamless) paving::require_seamless(part.pavement);
     });
-    if (pavement.kerb.width_mm == 0.0) continue;
-    with_kerb_places(places, [&] { paving::require_layable(paving::kerb(pavement)); });
   }
 }
 
-void require_possible_for(const exporting::Target& target, const scene::Scene& scene) {
-  if (target.require == nullptr) return;
-  try {
-    target.require({scene.panes, scene.pavements});
-  } catch (const InputError& error) {
-    const auto tell_place = [&](const auto& things, const std::vector<scene::KeyPlaces>& places) {
-      for (std::size_t i = 0; i < things.size(); ++i) {
-        if (!error.place().key.starts_with(things[i].name + ".")) continue;
-        with_places(things[i].name, places_at(places, i), [&] { throw InputError(error.place(), error.message()); });
-      }
-    };
-    tell_place(scene.panes, scene.pane_places);
-    tell_place(scene.pavements, scene.pavement_places);
-    throw;
-  }
-}
-
-exporting::Model generated(const scene::Scene& scene, const Progress& progress) {
-  require_possible(scene);
+// The model of the scene, of which nothing is broken or laid yet.
+exporting::Model unmade(const scene::Scene& scene, const std::vector<PavementPart>& parts) {
   exporting::Model model;
   model.name = scene.name;
   model.fingerprint = scene.fingerprint;
@@ -147,21 +109,53 @@ exporting::Model generated(const scene::Scene& scene, const Progress& progress) 
   model.dispersion = scene.still.dispersion;
   model.caustics = scene.still.caustics;
   model.seed = scene.seed;
+  model.camera = scene.camera;
+  model.light = scene.light;
+  model.environment = scene.environment;
   for (const glass::Pane& pane : scene.panes) model.panes.push_back({pane, {}, {}});
-  std::vector<Origin> origins;
-  for (std::size_t i = 0; i < scene.pavements.size(); ++i) {
-    const paving::Pavement& pavement = scene.pavements[i];
-    model.pavements.push_back({pavement, {}});
-    origins.push_back({i, false});
-    if (pavement.kerb.width_mm == 0.0) continue;
-    model.pavements.push_back({paving::kerb(pavement), {}});
-    origins.push_back({i, true});
-  }
+  for (const PavementPart& part : parts) model.pavements.push_back({part.pavement, {}});
+  return model;
+}
 
+}  // namespace
+
+void require_possible(const scene::Scene& scene) { require_possible(scene, pavement_parts(scene)); }
+
+void require_possible_for(const exporting::Target& target, const scene::Scene& scene) {
+  if (target.require == nullptr) return;
+  const std::vector<PavementPart> parts = pavement_parts(scene);
+  std::vector<paving::Pavement> pavements;
+  pavements.reserve(parts.size());
+  for (const PavementPart& part : parts) pavements.push_back(part.pavement);
+  try {
+    target.require({scene.panes, pavements});
+  } catch (const InputError& error) {
+    const auto is_of = [&](const std::string& name) { return error.place().key.starts_with(name + "."); };
+    const auto refuse = [&] { throw InputError(error.place(), error.message()); };
+    for (std::size_t i = 0; i < scene.panes.size(); ++i) {
+      const std::string& name = scene.panes[i].name;
+      if (is_of(name)) with_places(name, places_at(scene.pane_places, i), refuse);
+    }
+    for (const PavementPart& part : parts) {
+      if (is_of(part.pavement.name)) with_places(scene, part, refuse);
+    }
+    throw;
+  }
+}
+
+exporting::Model generated(const scene::Scene& scene, const Wanted& wanted, const Progress& progress) {
+  const std::vector<PavementPart> parts = pavement_parts(scene);
+  require_possible(scene, parts);
+  exporting::Model model = unmade(scene, parts);
   const std::size_t panes = model.panes.size();
-  const std::size_t count = panes + model.pavements.size();
-  InWork in_work(count, progress);
-  parallel_for(count, [&](std::size_t i) {
+  std::vector<std::size_t> things;
+  for (std::size_t i = 0; i < panes + model.pavements.size(); ++i) {
+    if (wanted(i)) things.push_back(i);
+  }
+  if (things.empty()) return model;
+  InWork in_work(things.size(), progress);
+  parallel_for(things.size(), [&](std::size_t k) {
+    const std::size_t i = things[k];
     if (i < panes) {
       exporting::BrokenPane& broken = model.panes[i];
       const InWork::Thing thing(in_work, broken.pane.name);
@@ -169,16 +163,16 @@ exporting::Model generated(const scene::Scene& scene, const Progress& progress) 
       return;
     }
     exporting::PavedArea& paved = model.pavements[i - panes];
-    const Origin& origin = origins[i - panes];
     const InWork::Thing thing(in_work, paved.pavement.name);
-    const scene::KeyPlaces& places = places_at(scene.pavement_places, origin.pavement);
-    if (origin.is_kerb) {
-      with_kerb_places(places, [&] { lay(paved, scene.seed); });
-    } else {
-      with_places(paved.pavement.name, places, [&] { lay(paved, scene.seed); });
-    }
+    const PavementPart& part = parts[i - panes];
+    with_places(scene, part, [&] { lay(paved, part.stones, scene.seed); });
   });
   return model;
+}
+
+exporting::Model generated(const scene::Scene& scene, const Progress& progress) {
+  return generated(
+      scene, [](std::size_t /*thing*/) { return true; }, progress);
 }
 
 }  // namespace shatterpave::pipeline

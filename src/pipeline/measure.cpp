@@ -15,6 +15,7 @@
 #include "glass/growth/counts.h"
 #include "paving/bonds/bond.h"
 #include "paving/laying.h"
+#include "pipeline/parts.h"
 
 namespace shatterpave::pipeline {
 
@@ -40,7 +41,7 @@ void require_measurable(const scene::Scene& scene, const MeasureOptions& options
   }
 }
 
-// M of the seed that is `index`-th of `count`.
+// M for the `index`-th of `count` seeds.
 int swept_count(const measure::Sweep& sweep, std::size_t index, std::size_t count) {
   const std::size_t span = static_cast<std::size_t>(sweep.high - sweep.low);
   const std::size_t steps = std::max<std::size_t>(count - 1, 1);
@@ -139,7 +140,7 @@ class Surveyor {
   std::vector<measure::Totals> pane_totals_;
 };
 
-// Whether a seed shows in where stones lie.
+// Whether the places of the stones depend on the seed.
 bool shows_seed(const paving::Pavement& pavement) {
   const paving::Variation& variation = pavement.variation;
   if (variation.size > 0.0 || variation.rotation > Angle() || variation.offset_mm > 0.0 || variation.missing > 0.0) return true;
@@ -151,7 +152,8 @@ measure::SurveyedPavement surveyed_pavement(const paving::Pavement& pavement, st
   measure::SurveyedPavement result{pavement, {}, {}, {}, {}};
   paving::Pavement plain = pavement;
   plain.variation = {};
-  const bool varies = plain.variation != pavement.variation;
+  plain.hand = {};
+  const bool varies = plain.variation != pavement.variation || plain.hand != pavement.hand;
   for (std::size_t i = 0; i < seeds; ++i) {
     const std::uint64_t seed = first_seed + i;
     paving::StoneLayout set_out = paving::laid_stones(plain, seed);
@@ -170,16 +172,19 @@ measure::SurveyedPavement surveyed_pavement(const paving::Pavement& pavement, st
   return result;
 }
 
-// Pavements that no seed changes are laid once.
+// Measures all pavements but kerbs. Those that do not depend on the seed are laid once.
 std::vector<measure::SurveyedPavement> surveyed_pavements(const scene::Scene& scene, const MeasureOptions& options,
                                                           const Progress& progress) {
   const auto seeds = [&](const paving::Pavement& pavement) { return shows_seed(pavement) ? options.seeds : 1; };
+  std::vector<PavementPart> parts = pavement_parts(scene);
+  std::erase_if(parts, [](const PavementPart& part) { return part.is_kerb(); });
   std::size_t count = 0;
-  for (const paving::Pavement& pavement : scene.pavements) count += seeds(pavement);
+  for (const PavementPart& part : parts) count += seeds(part.pavement);
   std::size_t done = 0;
   std::vector<measure::SurveyedPavement> result;
-  for (const paving::Pavement& pavement : scene.pavements) {
-    result.push_back(surveyed_pavement(pavement, scene.seed, seeds(pavement), [&] {
+  result.reserve(parts.size());
+  for (const PavementPart& part : parts) {
+    result.push_back(surveyed_pavement(part.pavement, scene.seed, seeds(part.pavement), [&] {
       ++done;
       if (progress) progress("measuring pavements", static_cast<double>(done) / static_cast<double>(count));
     }));

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
+#include "core/error.h"
 #include "core/overloaded.h"
 #include "geometry/clip.h"
 #include "paving/bonds/border.h"
 #include "paving/bonds/table.h"
-#include "paving/packing/packing.h"
+#include "pipeline/parts.h"
+#include "pipeline/placed.h"
 
 namespace shatterpave::pipeline {
 
@@ -18,7 +21,7 @@ namespace {
 
 using paving::Pavement;
 
-// More are only counted.
+// Of so many things a summary gives the names; more are only counted.
 constexpr std::size_t most_named = 4;
 // How many stones more than by area there are for each stone's length of border: by counting those of scenes/bonds.toml.
 constexpr double cut_more = 0.2;
@@ -52,7 +55,7 @@ double expected_stones(const Pavement& pavement) {
   return count * (1.0 - pavement.variation.missing);
 }
 
-// To two digits.
+// Rounded to two digits.
 std::string rounded_count(double count) {
   double unit = 1.0;
   while (count >= 100.0 * unit) unit *= 10.0;
@@ -104,25 +107,24 @@ void append(std::string_view name, const std::vector<Thing>& things, std::string
   text += ")";
 }
 
-Place place_in(const std::vector<scene::KeyPlaces>& places, std::size_t i, const std::string& name, std::string_view member) {
-  Place place = i < places.size() ? places[i].place(member) : Place{};
-  if (place.key.empty()) place.key = fmt::format("{}.{}", name, member);
-  return place;
-}
-
-Note nothing_laid(const scene::Scene& scene, std::size_t i) {
-  const Pavement& pavement = scene.pavements[i];
-  const auto place = [&](std::string_view member) { return place_in(scene.pavement_places, i, pavement.name, member); };
-  if (pavement.variation.missing == 1.0) return {place("variation.missing"), "leaves no stone of " + pavement.name};
+Note nothing_laid(const scene::Scene& scene, const PavementPart& part) {
+  const Pavement& pavement = part.pavement;
+  if (pavement.variation.missing == 1.0) {
+    return {place_of(scene, part, "variation.missing"), "leaves no stone of " + pavement.name};
+  }
   const geometry::Box box = geometry::bounding_box(pavement.area.outline);
-  return {place("stone_mm"), fmt::format("no stone of {} is laid: none fits in its {:.6g} × {:.6g} mm with joints of {} mm",
-                                         pavement.name, box.high.x - box.low.x, box.high.y - box.low.y, pavement.joint_mm)};
+  return {place_of(scene, part, "stone_mm"),
+          fmt::format("no stone of {} is laid: none fits in its {:.6g} × {:.6g} mm with joints of {} mm", pavement.name,
+                      box.high.x - box.low.x, box.high.y - box.low.y, pavement.joint_mm)};
 }
 
-Note nothing_within(const scene::Scene& scene, std::size_t i) {
-  const Pavement& pavement = scene.pavements[i];
-  return {place_in(scene.pavement_places, i, pavement.name, "border_course"),
-          fmt::format("leaves nothing within: of {} the border course alone is laid", pavement.name)};
+Note nothing_within(const scene::Scene& scene, const PavementPart& part) {
+  return {place_of(scene, part, "border_course"),
+          fmt::format("leaves nothing within: of {} the border course alone is laid", part.pavement.name)};
+}
+
+Note no_kerb_laid(const scene::Scene& scene, const PavementPart& kerb, const PavementPart& pavement) {
+  return {place_of(scene, kerb, ""), fmt::format("no kerb stone of {} is laid", pavement.pavement.name)};
 }
 
 bool is_all_border(const Pavement& pavement) {
@@ -138,19 +140,24 @@ bool has_no_room(const Pavement& pavement) {
 }  // namespace
 
 std::string summary(const scene::Scene& scene) {
+  std::vector<Pavement> pavements;
+  for (PavementPart& part : pavement_parts(scene)) {
+    if (!part.is_kerb()) pavements.push_back(std::move(part.pavement));
+  }
   std::string text;
   append("pane", scene.panes, text);
-  append("pavement", scene.pavements, text);
+  append("pavement", pavements, text);
   return text;
 }
 
 std::vector<Note> emptiness(const scene::Scene& scene) {
   std::vector<Note> notes;
-  for (std::size_t i = 0; i < scene.pavements.size(); ++i) {
-    if (has_no_room(scene.pavements[i])) {
-      notes.push_back(nothing_laid(scene, i));
-    } else if (is_all_border(scene.pavements[i])) {
-      notes.push_back(nothing_within(scene, i));
+  for (const PavementPart& part : pavement_parts(scene)) {
+    if (part.is_kerb()) continue;
+    if (has_no_room(part.pavement)) {
+      notes.push_back(nothing_laid(scene, part));
+    } else if (is_all_border(part.pavement)) {
+      notes.push_back(nothing_within(scene, part));
     }
   }
   return notes;
@@ -163,22 +170,20 @@ std::vector<Note> emptiness(const scene::Scene& scene, const exporting::Model& m
     const auto is_there = [](const glass::Shard& shard) { return shard.state != glass::ShardState::missing; };
     if (!broken.pane.shards || std::ranges::any_of(broken.shards, is_there)) continue;
     notes.push_back(
-        {place_in(scene.pane_places, i, broken.pane.name, "shards"),
+        {known_place(places_at(scene.pane_places, i), broken.pane.name, "shards"),
          fmt::format("leave nothing of {}: every piece is missing or smaller than splinter_mm2", broken.pane.name)});
   }
-  std::size_t at = 0;  // in the model, where a kerb follows its pavement
-  for (std::size_t i = 0; i < scene.pavements.size(); ++i) {
-    const bool has_kerb = scene.pavements[i].kerb.width_mm > 0.0;
-    if (model.pavements[at].layout.stones.empty()) {
-      notes.push_back(nothing_laid(scene, i));
-    } else if (is_all_border(scene.pavements[i])) {
-      notes.push_back(nothing_within(scene, i));
+  const std::vector<PavementPart> parts = pavement_parts(scene);
+  ENSURE(parts.size() == model.pavements.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool is_empty = model.pavements[i].layout.stones.empty();
+    if (parts[i].is_kerb()) {
+      if (is_empty) notes.push_back(no_kerb_laid(scene, parts[i], parts[i - 1]));
+    } else if (is_empty) {
+      notes.push_back(nothing_laid(scene, parts[i]));
+    } else if (is_all_border(parts[i].pavement)) {
+      notes.push_back(nothing_within(scene, parts[i]));
     }
-    if (has_kerb && model.pavements[at + 1].layout.stones.empty()) {
-      notes.push_back({place_in(scene.pavement_places, i, scene.pavements[i].name, "ground.kerb_width_mm"),
-                       fmt::format("no kerb stone of {} is laid", scene.pavements[i].name)});
-    }
-    at += has_kerb ? 2 : 1;
   }
   return notes;
 }

@@ -1,4 +1,4 @@
-// What can be said of a scene before, or in spite of, what is made of it.
+// What can be said of a scene before anything is made of it, and which of its things came to nothing.
 #pragma once
 
 #include <string>

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <system_error>
 
@@ -27,13 +28,14 @@ struct Journal {
   std::vector<std::string> kept;   // names of files that were there, and go to the folder of those that are kept
   std::vector<std::string> fresh;  // names of files of the workplace that were not there
   std::string notes;               // on the folder, as they were
+  bool above = false;              // all these are in the folder that the workplace's output folder lies in
 };
 
 bool is_there(const fs::path& file) { return fs::exists(fs::symlink_status(file)); }
 
 // A line for each name, then a line without one, then the notes.
 void write_journal(const Journal& journal, const fs::path& workplace) {
-  std::string text;
+  std::string text = journal.above ? "above \n" : "";
   for (const std::string& name : journal.kept) text += fmt::format("kept {}\n", name);
   for (const std::string& name : journal.fresh) text += fmt::format("fresh {}\n", name);
   text += "\n" + journal.notes;
@@ -48,6 +50,10 @@ Journal journal_of(const fs::path& workplace) {
   for (std::string line; std::getline(stream, line) && !line.empty();) {
     const std::size_t space = line.find(' ');
     ENSURE(space != std::string::npos);
+    if (line.starts_with("above ")) {
+      journal.above = true;
+      continue;
+    }
     (line.starts_with("kept ") ? journal.kept : journal.fresh).push_back(line.substr(space + 1));
   }
   std::ostringstream rest;
@@ -56,6 +62,10 @@ Journal journal_of(const fs::path& workplace) {
   if (stream.bad())
     throw fs::filesystem_error("cannot read", workplace / journal_file, std::make_error_code(std::errc::io_error));
   return journal;
+}
+
+fs::path folder_of(const Journal& journal, const FolderLock& lock) {
+  return journal.above ? lock.folder().parent_path() : lock.folder();
 }
 
 // Under its name in the workplace, if there is one.
@@ -103,6 +113,24 @@ void carry_out(const Journal& journal, const std::vector<StagedFile>& files, con
   for (const std::string& name : removed) fs::remove(folder / name);
 }
 
+// Does `publish`, which does what the journal says.
+void all_or_none(const Journal& journal, Workplace& workplace, const FolderLock& lock, const std::function<void()>& publish) {
+  const fs::path& place = workplace.folder();
+  fs::create_directory(place / kept_folder);
+  write_journal(journal, place);
+  try {
+    publish();
+    fs::remove(place / journal_file);
+  } catch (...) {
+    try {
+      take_back(place, lock);
+    } catch (...) {
+      workplace.leave();
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 void require_publishable(const std::vector<StagedFile>& files, const Edition& edition, const Workplace& workplace,
@@ -136,35 +164,41 @@ Published published(Workplace& workplace, const std::vector<StagedFile>& files, 
     if (unchanged) journal.kept.push_back(name);
   }
 
-  const fs::path& place = workplace.folder();
-  fs::create_directory(place / kept_folder);
-  write_journal(journal, place);
-  try {
-    carry_out(journal, files, result.removed, place, folder);
+  const auto publish = [&] {
+    carry_out(journal, files, result.removed, workplace.folder(), folder);
     lock.write_notes(text_of_notes(with_files(notes, edition, sums)));
-    fs::remove(place / journal_file);
-  } catch (...) {
-    try {
-      take_back(place, lock);
-    } catch (...) {
-      workplace.leave();
-    }
-    throw;
-  }
+  };
+  all_or_none(journal, workplace, lock, publish);
   workplace.keep();
   return result;
 }
 
-// May be killed in turn, and done again.
+void publish_above(Workplace& workplace, const std::vector<StagedFile>& files, const Cancelled& cancelled) {
+  const FolderLock lock(workplace.output(), cancelled);
+  clear_killed(lock);
+  Journal journal;
+  journal.above = true;
+  journal.notes = lock.notes();
+  const fs::path folder = folder_of(journal, lock);
+  for (const StagedFile& file : files) {
+    (is_there(folder / file.name) ? journal.kept : journal.fresh).push_back(file.name);
+  }
+  all_or_none(journal, workplace, lock, [&] { carry_out(journal, files, {}, workplace.folder(), folder); });
+  // The next frame's are others.
+  fs::remove_all(workplace.folder() / kept_folder);
+  workplace.keep();
+}
+
+// This may be killed in turn, and is then done again.
 void take_back(const fs::path& workplace, const FolderLock& lock) {
   if (!is_there(workplace / journal_file)) return;
   const Journal journal = journal_of(workplace);
   for (const std::string& name : journal.kept) {
     const fs::path kept = workplace / kept_folder / name;
-    if (is_there(kept)) fs::rename(kept, lock.folder() / name);
+    if (is_there(kept)) fs::rename(kept, folder_of(journal, lock) / name);
   }
   for (const std::string& name : journal.fresh) {
-    if (!is_there(workplace / name)) fs::remove(lock.folder() / name);
+    if (!is_there(workplace / name)) fs::remove(folder_of(journal, lock) / name);
   }
   lock.write_notes(journal.notes);
   fs::remove(workplace / journal_file);

@@ -35,6 +35,10 @@ void require_publishable(const std::vector<StagedFile>& files, const Edition& ed
 Published published(Workplace& workplace, const std::vector<StagedFile>& files, const Edition& edition,
                     const std::filesystem::path& output, const Cancelled& cancelled = {});
 
+// Moves files of a workplace in the folder of a shot (pipeline/frame_folder.h) to the folder that this lies in, over what is
+// there: all of them or none, as above, but without a note. May be called often.
+void publish_above(Workplace& workplace, const std::vector<StagedFile>& files, const Cancelled& cancelled = {});
+
 // Takes back what was half published from that workplace, if anything was.
 void take_back(const std::filesystem::path& workplace, const FolderLock& lock);
 

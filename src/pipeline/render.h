@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/cancel.h"
@@ -14,6 +15,7 @@
 namespace shatterpave::pipeline {
 
 enum class Quality { draft, final };
+constexpr std::string_view name_of(Quality quality) { return quality == Quality::draft ? "draft" : "final"; }
 
 struct RenderOptions {
   Quality quality = Quality::draft;
@@ -23,6 +25,12 @@ struct RenderOptions {
 
   bool operator==(const RenderOptions&) const = default;
 };
+
+struct PictureSize {
+  int width = 0;  // px
+  int height = 0;
+};
+PictureSize size_of(const RenderOptions& options);
 
 // The renderer failed, is not there, or crashed: exit status 3. what() holds its own last message.
 class RendererError : public std::runtime_error {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -115,11 +116,13 @@ bool read_some(int descriptor, const std::function<void(std::string_view)>& outp
   return true;
 }
 
-int waited(pid_t process) {
+int waited(pid_t process, rusage* used = nullptr) {
   int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  while (::wait4(process, &status, 0, used) < 0 && errno == EINTR) continue;
   return status;
 }
+
+double seconds_of(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
 
 // The program, and what is in its group: it may be a script that has started the real one.
 void end_process(pid_t process) {
@@ -145,7 +148,7 @@ Ending run(const Subprocess& subprocess, const std::function<void(std::string_vi
     const SpawnSettings settings(subprocess, pipe);
     const int error = ::posix_spawnp(&process, arguments.front().c_str(), settings.actions(), settings.attributes(),
                                      pointers(arguments).data(), pointers(environment).data());
-    if (error == ENOENT || error == EACCES) return {false, 0, 0};
+    if (error == ENOENT || error == EACCES) return {.found = false};
     if (error != 0) throw_errno(error, "cannot start another program");
   }
   pipe.close_write_end();
@@ -157,10 +160,18 @@ Ending run(const Subprocess& subprocess, const std::function<void(std::string_vi
     end_process(process);
     throw;
   }
-  const int status = waited(process);
+  rusage used{};
+  const int status = waited(process, &used);
   if (cancelled && cancelled()) throw Interrupted();
-  if (WIFSIGNALED(status)) return {true, 0, WTERMSIG(status)};
-  return {true, WEXITSTATUS(status), 0};
+  Ending ending;
+  ending.processor_seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+  ending.most_memory_kib = used.ru_maxrss;
+  if (WIFSIGNALED(status)) {
+    ending.signal = WTERMSIG(status);
+  } else {
+    ending.status = WEXITSTATUS(status);
+  }
+  return ending;
 }
 
 }  // namespace shatterpave::pipeline

@@ -1,6 +1,7 @@
 // Another program, run without a shell.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -23,6 +24,9 @@ struct Ending {
   bool found = true;  // false: there is no such program
   int status = 0;     // of exit
   int signal = 0;     // that ended it, or 0
+  // Of the program and of those that it has waited for: time on processors, and the most memory that one of them had.
+  double processor_seconds = 0.0;
+  std::int64_t most_memory_kib = 0;
 };
 
 // Runs the program to its end. `output` is called with what it writes to either stream, piece by piece. If `cancelled` says so,

@@ -48,6 +48,14 @@ bool is_of_the_machine(const std::error_code& error) {
          error == std::error_code(EDQUOT, std::generic_category());
 }
 
+void clear_killed_in(const fs::path& shot) {
+  try {
+    clear_killed(FolderLock(shot));
+  } catch (const fs::filesystem_error& error) {
+    if (error.code() != std::errc::no_such_file_or_directory) throw;
+  }
+}
+
 // Another run may be clearing the same.
 void remove_folder(const fs::path& folder) {
   constexpr int attempts = 3;
@@ -74,7 +82,8 @@ void require_output_folder(const fs::path& folder) {
   }
 }
 
-Workplace::Workplace(const fs::path& output, const Cancelled& cancelled) : output_(fs::weakly_canonical(fs::absolute(output))) {
+Workplace::Workplace(const fs::path& output, const Cancelled& cancelled, const Admission& admission)
+    : output_(fs::weakly_canonical(fs::absolute(output))) {
   constexpr int attempts = 100;
   try {
     for (int attempt = 1; !mark_; ++attempt) {
@@ -91,6 +100,7 @@ Workplace::Workplace(const fs::path& output, const Cancelled& cancelled) : outpu
         }
         temporary_ = pattern;
         mark_.emplace(temporary_ / mark_file);
+        if (admission) admission(lock, temporary_);
       } catch (const fs::filesystem_error& error) {
         // Another run that had made the folder has taken it away again.
         if (error.code() == std::errc::no_such_file_or_directory && attempt < attempts) continue;
@@ -115,14 +125,28 @@ void Workplace::take_away() {
   for (auto p = made_.rbegin(); p != made_.rend(); ++p) fs::remove(*p, ignored);
 }
 
+std::vector<fs::path> living_workplaces(const FolderLock& lock, const fs::path& own) {
+  std::vector<fs::path> living;
+  for (const fs::directory_entry& entry : fs::directory_iterator(lock.folder())) {
+    if (is_workplace(entry) && entry.path() != own && lock.is_alive(entry.path() / mark_file)) living.push_back(entry.path());
+  }
+  return living;
+}
+
 void clear_killed(const FolderLock& lock) {
   std::vector<fs::path> dead;
+  std::vector<fs::path> shots;
   for (const fs::directory_entry& entry : fs::directory_iterator(lock.folder())) {
     if (is_workplace(entry) && !lock.is_alive(entry.path() / mark_file)) dead.push_back(entry.path());
+    if (entry.path().filename().string().starts_with(shot_folder_prefix)) shots.push_back(entry.path());
   }
   for (const fs::path& workplace : dead) {
     take_back(workplace, lock);
     remove_folder(workplace);
+  }
+  for (const fs::path& shot : shots) {
+    // One that ends takes its folder away, perhaps at this moment.
+    if (std::error_code error; fs::is_directory(shot, error)) clear_killed_in(shot);
   }
 }
 

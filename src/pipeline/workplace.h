@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/cancel.h"
@@ -18,7 +20,10 @@ void require_output_folder(const std::filesystem::path& folder);
 // have left in the output folder is cleared first: half of a publication is taken back, and their workplaces go.
 class Workplace {
  public:
-  explicit Workplace(const std::filesystem::path& output, const Cancelled& cancelled = {});
+  // Called with the new folder while the output folder is locked, so that of two runs one sees the other; may throw.
+  using Admission = std::function<void(const FolderLock& lock, const std::filesystem::path& folder)>;
+
+  explicit Workplace(const std::filesystem::path& output, const Cancelled& cancelled = {}, const Admission& admission = {});
   ~Workplace();
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
@@ -41,7 +46,15 @@ class Workplace {
   std::optional<LifeMark> mark_;
 };
 
-// Takes back what a killed run has half published, and clears the workplaces of those that do not live.
+// The workplaces, but for `own`, of runs that live.
+std::vector<std::filesystem::path> living_workplaces(const FolderLock& lock, const std::filesystem::path& own);
+
+// Where the runs of a shot have their workplaces, and what they share: a hidden folder in the output folder, whose name begins
+// so.
+inline constexpr std::string_view shot_folder_prefix = ".shatterpave-frames-";
+
+// Takes back what a killed run has half published, and clears the workplaces of those that do not live; also in
+// the folders of shots.
 void clear_killed(const FolderLock& lock);
 
 }  // namespace shatterpave::pipeline

@@ -25,6 +25,10 @@ OIIO::ImageSpec specification(const Raster& raster, RasterFormat format) {
     spec.attribute("compression", "zip");
     spec.attribute("DateTime", "");  // or the writer would put the present time here
   }
+  if (format == RasterFormat::jpeg) {
+    spec.attribute("compression", "jpeg:90");
+    spec.attribute("jpeg:subsampling", "4:4:4");
+  }
   return spec;
 }
 
@@ -50,7 +54,8 @@ float srgb(float linear) {
 std::string encoded(const Raster& raster, RasterFormat format) {
   ENSURE(raster.values.size() == raster.width * raster.height * raster.channels);
   const bool exr = format == RasterFormat::exr_half || format == RasterFormat::exr_float;
-  const std::string name = exr ? "memory.exr" : "memory.png";  // picks the writer; no file of that name is made
+  // Picks the writer; no file of that name is made.
+  const std::string name = format == RasterFormat::jpeg ? "memory.jpg" : (exr ? "memory.exr" : "memory.png");
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(name, &memory);

@@ -24,6 +24,7 @@ enum class RasterFormat {
   png16,      // values 0 … 1 to 0 … 65535, as they are
   exr_half,   // half float, zip
   exr_float,  // float, zip
+  jpeg,       // values 0 … 1 to 0 … 255, as they are, nearly: off by one or two. All channels are as fine
 };
 
 // The file of that raster in memory. It holds pixels and what is needed to read them: no time, program, path or host.

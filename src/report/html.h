@@ -29,7 +29,7 @@ std::string escaped(std::string_view text);
 // have these characters, and there a backslash changes nothing else. (Not so "</" alone: /</g is a pattern.)
 std::string as_script(std::string_view text);
 
-// To what a plot shows; files stay small.
+// Rounded to what a plot can show, so that files stay small.
 double rounded(double value);
 
 // Cells that hold something, as [from, to, percentage].

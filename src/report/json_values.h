@@ -10,10 +10,10 @@ namespace shatterpave::reporting {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinity: null.
+// The number; null for infinity, which JSON does not have.
 Json number(double value);
 
-// With target, figure and verdict; a bound, figure or error that there is not is null.
+// With target, figure and verdict; missing bounds, figures and errors are null.
 Json json_of(const measure::Finding& finding);
 Json json_of(const measure::Distribution& distribution);
 Json json_of(const measure::Histogram& histogram);

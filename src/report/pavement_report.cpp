@@ -150,6 +150,14 @@ std::string notes(const measure::LayoutFigures& f) {
   if (f.excepted_joints > 0) {
     words += fmt::format("{} joints beside irregular stones are excepted with the first seed. ", grouped(f.excepted_joints));
   }
+  if (f.hand.widths > 0) {
+    words += fmt::format(
+        "Laid by hand: with the first seed the width of joints has a median of {:.0f} % of the asked one, its logarithm a "
+        "standard "
+        "deviation of {:.2f}; sides one of {:.0f} % of their mean; one stone in ten is more than {:.2f} times as long as "
+        "wide. ",
+        f.hand.joint_median_percent, f.hand.joint_ln_spread, f.hand.side_spread_percent, f.hand.aspect_p90);
+  }
   if (f.counted_stones > 0) {
     words += fmt::format(
         "The field asks for at least {:.1f} irregular spots: {:.1f} ends of columns, since rows bend, {:.1f} ends of rows, "

@@ -57,6 +57,11 @@ const std::vector<Column>& columns() {
       {"column_ends", [](const F& f) { return of(f.counted_stones, f.field.row_bends); }},
       {"row_ends", [](const F& f) { return of(f.counted_stones, f.field.column_bends); }},
       {"singularities", [](const F& f) { return of(f.counted_stones, static_cast<double>(f.field.singularities)); }},
+      {"hand_joint_median_percent", [](const F& f) { return of(f.hand.widths, f.hand.joint_median_percent); }},
+      {"hand_joint_ln_spread", [](const F& f) { return of(f.hand.widths, f.hand.joint_ln_spread); }},
+      {"hand_side_spread_percent", [](const F& f) { return of(f.hand.stones, f.hand.side_spread_percent); }},
+      {"hand_aspect_median", [](const F& f) { return of(f.hand.stones, f.hand.aspect_median); }},
+      {"hand_aspect_p90", [](const F& f) { return of(f.hand.stones, f.hand.aspect_p90); }},
   };
   return all;
 }

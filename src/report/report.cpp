@@ -215,7 +215,7 @@ std::string contact_sheet(const Survey& survey) {
   return fmt::to_string(out);
 }
 
-// How M came to be.
+// Where the values of M come from.
 std::string count_words(const Survey& survey) {
   if (survey.sweep) return fmt::format("in even steps from {} to {}", survey.sweep->low, survey.sweep->high);
   if (!survey.count_law) return "as the scene gives it, pane by pane";

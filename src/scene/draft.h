@@ -1,4 +1,4 @@
-// A scene that is being written: its values as they are given, of which only paths and syntax are checked yet.
+// A scene that is being written: values as they were given. Only their paths and their syntax have been checked so far.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace shatterpave::scene {
 
 class Draft {
  public:
-  // Of a text in TOML; `file` names it in messages, its stem names the scene, and outline files are sought from its folder.
+  // A draft of a text in TOML; `file` names it in messages, its stem the scene, and outline files are sought from its folder.
   // Throws InputError where the text is no TOML.
   Draft(std::string_view text, const std::filesystem::path& file);
   ~Draft();
@@ -23,7 +23,7 @@ class Draft {
   Draft(Draft&& other) noexcept;
   Draft& operator=(Draft&& other) noexcept;
 
-  // Of the scene. Throws InputError where files cannot be named by it.
+  // The name of the scene. Throws InputError if it cannot name files.
   std::string name() const;
 
   // Each throws InputError where the key leads nowhere; the draft is then as it was.
@@ -35,14 +35,20 @@ class Draft {
   // Throws InputError with the place of the first thing that is wrong.
   Scene scene() const;
 
+  struct Table;  // scene/table_scene.h
+  // What text and changes make: for the room itself.
+  const Table& table() const { return *table_; }
+  const std::filesystem::path& file() const { return file_; }
+
  private:
+  friend class Shot;
+
   struct Change {
     Override given;
     bool appends = false;
   };
-  struct Table;
 
-  // The table that text and changes make: a copy of it would have forgotten where its values stand.
+  // The table that text and changes make. It is made anew for each copy, since a copied table forgets where its values stand.
   std::unique_ptr<Table> made() const;
   std::string apply(const Change& change);
 

@@ -184,12 +184,14 @@ pigment {
    }
    translate -0.5 * y scale 2
 }
+//@light <0, 0, 0>
 sky_sphere {
    pigment {
       function { select(z, 0, 1) }
       pigment_map { [0.5 Room] [0.5 Outside] }
    }
 }
+//@end
 
 #declare Size = max(Row_Width, Row_Height);
 #macro Soft_Light(Place, Colour, Extent)
@@ -200,6 +202,7 @@ sky_sphere {
       #end
    }
 #end
+//@light
 // The morning sun from the upper left outside; the sky; what the room gives back.
 light_source {
    <-0.62, 0.78, 1> * 200 * Size, rgb <2.7, 2.35, 1.85>
@@ -210,6 +213,7 @@ light_source {
 Soft_Light(<0.2, 1.1, 2.2> * Size, rgb <0.42, 0.50, 0.62>, 1.2 * Size)
 Soft_Light(<-0.9, 0.9, -2.4> * Size, rgb <0.50, 0.45, 0.39>, 0.8 * Size)
 light_source { <1.3, 0.5, -1.5> * Size, rgb <0.13, 0.13, 0.14> shadowless }
+//@end
 
 // ---- the stone, on the sill
 
@@ -246,6 +250,7 @@ object {
 #declare View_Width = max(Row_Width + 30, (Row_Height + Drop + 60) * Aspect);
 #declare Distance = View_Width / 2 / tan(radians(Angle / 2)) + Sill_Depth;
 #declare Centre = <0, 0.5 * Row_Height - 0.75 * Drop, -0.25 * Sill_Depth>;
+//@camera <-Row_Width / 2 + Still_Pane_Reveal[0] - Still_Pane_Min[0].x, -Still_Pane_Min[0].y, 0>, <0, 0, 0>
 camera {
    location Centre + vnormalize(<0.36, 0.24, -1>) * Distance
    right x * Aspect
@@ -253,3 +258,4 @@ camera {
    angle Angle
    look_at Centre
 }
+//@end

@@ -27,6 +27,7 @@ global_settings {
 // The pane stands with its lower edge at y = 0, its middle at x = 0.
 object { Still_Pane(0) translate <-Centre, -Low.y, 0> }
 
+//@camera <-Centre, -Low.y, 0>, <0, 0, 0>
 camera {
    location <-0.42, 0.62 * H / W, -1.62> * W
    right x * image_width / image_height
@@ -34,6 +35,7 @@ camera {
    angle 44
    look_at <0.015, 0.56 * H / W, 0> * W
 }
+//@end
 
 // ---- frame: brushed steel, with a bar to pull
 
@@ -156,6 +158,7 @@ box {
       finish { ambient 0 diffuse 0.7 }
    }
 }
+//@light <0, 0, 0>
 sphere {
    0, 60 * W
    hollow
@@ -168,6 +171,7 @@ sphere {
    }
    finish { ambient 0 diffuse 0 emission 1 }
 }
+//@end
 
 #macro Lamp(Place, Colour, Extent)
    light_source {
@@ -176,7 +180,9 @@ sphere {
    }
 #end
 // The sun high on the left, the globe in the hall, the window at its end: the light from behind is what cracks are seen by.
+//@light
 Lamp(<-4.0, 5.5, -8.0>, <1.00, 0.90, 0.74> * 1.9, 0.5)
 Lamp(<-1.0, 1.75, 1.9>, <1.00, 0.78, 0.50> * 0.55, 0.15)
 Lamp(<0.1, 1.5, 4.4>, <0.80, 0.92, 1.00> * 0.75, 0.6)
 light_source { <4, 5, -7> * W, rgb <0.45, 0.55, 0.75> * 0.35 shadowless }
+//@end

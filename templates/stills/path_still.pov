@@ -58,6 +58,7 @@ global_settings { assumed_gamma 1.0 max_trace_level 8 }
 #declare Near = select(Is_Plaza - 1, min(250, Length * 0.03), Length * 0.12);
 #declare Ahead = select(Is_Plaza - 1, min(Length * 0.55, 6200), Length * 0.45);
 #declare Eye = <Middle_At(Near + 400), Eye_Height, Near>;
+//@camera z * Length / 2 - vrotate(<Low.x + High.x, 0, Low.z + High.z> / 2, -90 * y * (High.x - Low.x > High.z - Low.z)), -90 * y * (High.x - Low.x > High.z - Low.z)
 camera {
    perspective
    location Eye
@@ -66,15 +67,19 @@ camera {
    angle 50
    look_at <(Middle_At(Ahead) * 0.6 + Eye.x * 0.4), select(Is_Plaza - 1, 230, -Length * 0.03), Ahead>
 }
+//@end
 
 // ---- light: a low sun on the left, a little behind the camera, and the sky from all sides
 
 #declare To_Sun = vnormalize(<-0.88, 0.33, -0.26>);
+//@light -90 * y * (High.x - Low.x > High.z - Low.z)
 light_source { To_Sun * 1e7 rgb <1.00, 0.78, 0.50> * 4.6 parallel point_at 0 }
+//@end
 
 #macro Sky_Light(Towards, Light)
    light_source { vnormalize(Towards) * 1e7 rgb Light parallel point_at 0 }
 #end
+//@light
 #if (Quality > 0)
    Sky_Light(<0.15, 1, 0.1>, <0.30, 0.40, 0.58> * 0.62)
    Sky_Light(<0.9, 0.75, -0.5>, <0.30, 0.38, 0.52> * 0.42)
@@ -84,7 +89,9 @@ light_source { To_Sun * 1e7 rgb <1.00, 0.78, 0.50> * 4.6 parallel point_at 0 }
    Sky_Light(<0.15, 1, 0.1>, <0.30, 0.40, 0.58> * 1.3)
 #end
 light_source { <0.3, 0.5, -1> * 1e7 rgb <0.30, 0.36, 0.46> * 0.28 parallel point_at 0 shadowless }
+//@end
 
+//@light
 sky_sphere {
    pigment {
       gradient y
@@ -110,6 +117,7 @@ sky_sphere {
       translate <0.3, 0.02, 0.8>
    }
 }
+//@end
 
 // ---- ground
 

@@ -28,6 +28,7 @@ global_settings { assumed_gamma 1.0 max_trace_level 6 }
 // ---- camera: standing height, the fountain on the right third
 
 #declare Eye = <Middle.x - Wide * 0.10, 1560, Low.z + 350>;
+//@camera <0, 0, 0>, <0, 0, 0>
 camera {
    perspective
    location Eye
@@ -36,14 +37,18 @@ camera {
    angle 62
    look_at <Middle.x - Wide * 0.075, 830, Low.z + Depth * 0.48>
 }
+//@end
 
 // ---- light: a high sun from the left behind the camera's shoulder, sky from all sides, and what the fronts throw back
 
 #declare To_Sun = vnormalize(<-0.66, 0.98, -0.36>);
+//@light <0, 0, 0>
 light_source { To_Sun * 1e7 rgb <1.00, 0.93, 0.81> * 2.75 parallel point_at 0 }
+//@end
 #macro Sky_Light(Towards, Light)
    light_source { vnormalize(Towards) * 1e7 rgb Light parallel point_at 0 }
 #end
+//@light
 #if (Quality > 0)
    Sky_Light(<0.2, 1, 0.2>, <0.30, 0.42, 0.62> * 0.42)
    Sky_Light(<0.9, 0.7, -0.6>, <0.30, 0.40, 0.56> * 0.34)
@@ -53,7 +58,9 @@ light_source { To_Sun * 1e7 rgb <1.00, 0.93, 0.81> * 2.75 parallel point_at 0 }
 #end
 light_source { <0.2, 0.3, -1> * 1e7 rgb <0.40, 0.37, 0.33> * 0.42 parallel point_at 0 shadowless }
 light_source { <0.1, -1, -0.2> * 1e7 rgb <0.36, 0.31, 0.24> * 0.30 parallel point_at 0 shadowless }
+//@end
 
+//@light
 sky_sphere {
    pigment { gradient y color_map { [0.0 rgb <0.66, 0.76, 0.86>] [0.12 rgb <0.42, 0.60, 0.85>] [0.45 rgb <0.16, 0.34, 0.70>] [1.0 rgb <0.06, 0.17, 0.48>] } }
    pigment {
@@ -63,6 +70,7 @@ sky_sphere {
       translate <0.7, 0.1, 0.2>
    }
 }
+//@end
 
 // ---- ground beyond the pavement, and fronts on three sides
 

@@ -30,6 +30,7 @@ object {
    translate -Middle
 }
 
+//@camera -Middle, <0, 0, 0>
 camera {
    location <-0.20, 0.03, -1.30> * Size
    right x * image_width / image_height
@@ -37,6 +38,7 @@ camera {
    angle 35
    look_at <0.015, 0.0, 0> * Size
 }
+//@end
 
 // ---- the frame of the window: dark metal, at the borders of the picture
 
@@ -76,6 +78,7 @@ union {
    }
 #end
 
+//@light <0, 0, 0>
 // The room: warm wall, darker to the floor and the ceiling, with shelves as soft bands.
 sphere {
    0, 30 * Size
@@ -113,6 +116,7 @@ sphere {
    finish { ambient 0 diffuse 0 emission 1 }
    clipped_by { plane { z, 0 } }
 }
+//@end
 
 // A row of hanging lamps, shelves of small lights, one cold sign.
 #declare Warm = <1.00, 0.56, 0.22>;
@@ -143,9 +147,11 @@ Lamp(<0.8, 3.6, -5.4>, <1.8, 4.4, -5.3>, <0.8, 0.88, 1.0> * 4.5)
 
 // ---- light that dust and frost catch: two lamps of the shop behind the pane, one of the street before it
 
+//@light
 light_source { <-0.9, 1.3, 1.6> * Size, rgb <1.00, 0.66, 0.36> * 1.25 }
 light_source { <1.3, 0.5, 1.2> * Size, rgb <1.00, 0.72, 0.45> * 0.75 }
 light_source { <-2.6, 2.0, -2.4> * Size, rgb <0.40, 0.55, 0.85> * 0.55 shadowless }
+//@end
 
 // The display's ledge, on which caustics fall.
 box {

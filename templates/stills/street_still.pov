@@ -26,6 +26,7 @@ global_settings { assumed_gamma 1.0 max_trace_level 6 }
 // ---- camera: at the height of somebody who has crouched for the reflections
 
 #declare Eye = <Middle - (High.x - Low.x) * 0.10, 980, Low.z + 500>;
+//@camera <0, 0, 0>, <0, 0, 0>
 camera {
    perspective
    location Eye
@@ -34,9 +35,11 @@ camera {
    angle 54
    look_at <Middle + (High.x - Low.x) * 0.035, 620, Low.z + 9000>
 }
+//@end
 
 // ---- light: what is left of the day, from all of the sky; lanterns; windows
 
+//@light <0, 0, 0>
 sky_sphere {
    pigment {
       gradient y
@@ -57,10 +60,12 @@ sky_sphere {
       translate <0.1, 0.3, 0.4>
    }
 }
+//@end
 
 #macro Sky_Light(Towards, Light)
    light_source { vnormalize(Towards) * 1e6 rgb Light parallel point_at 0 }
 #end
+//@light
 Sky_Light(<0.25, 1, 0.35>, <0.10, 0.145, 0.26> * 0.95)
 Sky_Light(<-0.05, 0.5, 1>, <0.40, 0.30, 0.27> * 0.26)
 #if (Quality > 0)
@@ -68,6 +73,7 @@ Sky_Light(<-0.05, 0.5, 1>, <0.40, 0.30, 0.27> * 0.26)
    Sky_Light(<0.1, 1, -0.7>, <0.10, 0.145, 0.26> * 0.40)
 #end
 light_source { <0, 0.6, -1> * 1e6 rgb <0.09, 0.12, 0.20> * 0.35 parallel point_at 0 shadowless }
+//@end
 
 #declare Glow = rgb <1.0, 0.60, 0.26>;
 #macro Lamp_Light(Place, Power)
@@ -88,7 +94,9 @@ light_source { <0, 0.6, -1> * 1e6 rgb <0.09, 0.12, 0.20> * 0.35 parallel point_a
       rotate y * select(-Left, -90, 90, 90)
       translate <select(-Left, Low.x, High.x, High.x), 3150, Z>
    }
+//@light
    Lamp_Light(<select(-Left, Low.x + 620, High.x - 620, High.x), 3130, Z>, 3.4)
+//@end
 #end
 
 // ---- houses: the left row seen from +x, the right one from -x

@@ -17,6 +17,7 @@ global_settings { assumed_gamma 1.0 max_trace_level 16 adc_bailout 1/255 }
 #local Size = max(High.x - Low.x, High.y - Low.y);
 
 // A little from the left and from above, so that the thickness of the pane is seen. The whole pane fits the height.
+//@camera <0, 0, 0>, <0, 0, 0>
 camera {
    location Middle + Size * <-0.35, 0.25, -2.0>
    right x * image_width / image_height
@@ -24,11 +25,14 @@ camera {
    direction z * 1.75
    look_at Middle
 }
+//@end
 
+//@light <0, 0, 0>
 background { rgb <0.02, 0.022, 0.025> }
 light_source { Middle + Size * <-4, 3, -1.2>, rgb <2.6, 2.5, 2.3> parallel point_at Middle }
 light_source { Middle + Size * <5, 2, 3>, rgb <1.6, 1.8, 2.1> parallel point_at Middle }
 light_source { Middle + Size * <0, 6, 1>, rgb 1.2 parallel point_at Middle }
+//@end
 
 // Lines a fiftieth of the spacing wide would fall between pixels; a tenth shows at any size.
 plane {

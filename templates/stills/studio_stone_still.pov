@@ -17,6 +17,7 @@ global_settings { assumed_gamma 1.0 max_trace_level 5 }
 #local Size = max(High.x - Low.x, (High.z - Low.z) * image_width / image_height);
 
 // From straight above, and far off, so that all stones are seen alike.
+//@camera <0, 0, 0>, <0, 0, 0>
 camera {
    orthographic
    location <Middle.x, Size * 2, Middle.z>
@@ -24,10 +25,13 @@ camera {
    up z * Size * 1.06 * image_height / image_width
    right x * Size * 1.06
 }
+//@end
 
+//@light <0, 0, 0>
 background { rgb <0.35, 0.38, 0.42> }
 light_source { <Middle.x, 0, Middle.z> + Size * <-5, 3.2, 4>, rgb <1.9, 1.75, 1.5> parallel point_at <Middle.x, 0, Middle.z> }
 light_source { <Middle.x, 0, Middle.z> + Size * <2, 6, -3>, rgb <0.5, 0.55, 0.65> parallel point_at <Middle.x, 0, Middle.z> shadowless }
+//@end
 
 plane { y, Low.y - 1 pigment { rgb <0.10, 0.11, 0.10> } finish { ambient 0 diffuse 0.9 } }
 

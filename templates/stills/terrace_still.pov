@@ -46,6 +46,7 @@ global_settings { assumed_gamma 1.0 max_trace_level 5 }
 // ---- camera: at a standing man's eyes, a little to the right of the flight
 
 #declare Eye = <Across + 0.30 * (Head.x - Foot.x), Bottom + 1450, Low.z - 250>;
+//@camera <0, 0, 0>, <0, 0, 0>
 camera {
    perspective
    location Eye
@@ -54,14 +55,18 @@ camera {
    angle 50
    look_at <Across - 120, Bottom + 0.58 * Rise + 60, Foot.z + 700>
 }
+//@end
 
 // ---- light: a sun from the left over the camera's shoulder, low enough to part treads and risers; blue from the sky
 
 #declare To_Sun = vnormalize(<-0.80, 0.62, -0.30>);
+//@light <0, 0, 0>
 light_source { To_Sun * 1e6 rgb <1.00, 0.83, 0.58> * 3.3 parallel point_at 0 }
+//@end
 #macro Sky_Light(Towards, Light)
    light_source { vnormalize(Towards) * 1e6 rgb Light parallel point_at 0 }
 #end
+//@light
 #if (Quality > 0)
    Sky_Light(<0.2, 1, 0.1>, <0.30, 0.41, 0.60> * 0.50)
    Sky_Light(<0.8, 0.8, -0.6>, <0.30, 0.40, 0.56> * 0.30)
@@ -71,6 +76,7 @@ light_source { To_Sun * 1e6 rgb <1.00, 0.83, 0.58> * 3.3 parallel point_at 0 }
 #end
 light_source { vnormalize(<0.3, 0.35, -1>) * 1e6 rgb <0.36, 0.34, 0.33> * 0.34 parallel point_at 0 shadowless }
 sky_sphere { pigment { gradient y color_map { [0 rgb <0.90, 0.82, 0.70>] [0.25 rgb <0.48, 0.62, 0.82>] [1 rgb <0.14, 0.27, 0.58>] } } }
+//@end
 
 plane { y, Low.y - 20 pigment { rgb <0.12, 0.10, 0.07> } finish { ambient 0 diffuse 0.8 } }
 

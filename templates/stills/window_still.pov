@@ -156,7 +156,9 @@ box {
 
 // ---- light: the sun, warm and low; the evening sky; a lamp in the room
 
+//@light <0, 0, 0>
 sky_sphere { Shatterpave_Evening }
+//@end
 
 #declare Size = max(Row_Width, Row_Height);
 
@@ -169,10 +171,12 @@ sky_sphere { Shatterpave_Evening }
    }
 #end
 
+//@light
 light_source { Shatterpave_Evening_Sun * 1000 * Size, rgb <1.9, 1.15, 0.62> }
 Soft_Light(<-1.6, 0.9, -1.7> * Size, rgb <0.55, 0.42, 0.30>, 0.4 * Size)
 light_source { <0.9, 0.6, -2.5> * Size, rgb <0.17, 0.18, 0.22> shadowless }
 light_source { <-0.3, 1.2, 1.5> * Size, rgb <0.28, 0.34, 0.44> shadowless }
+//@end
 
 // ---- camera: a little to the left, all sashes and the sill in view
 
@@ -181,6 +185,7 @@ light_source { <-0.3, 1.2, 1.5> * Size, rgb <0.28, 0.34, 0.44> shadowless }
 #declare View_Width = max(Row_Width + 1.1 * Bar, (Row_Height + 1.3 * Bar) * Aspect);
 #declare Distance = View_Width / 2 / tan(radians(Angle / 2));
 #declare Centre = <0, -0.12 * Bar, 0>;
+//@camera <-Row_Width / 2 + Bar - Still_Pane_Min[0].x, -(Still_Pane_Min[0].y + Still_Pane_Max[0].y) / 2, 0>, <0, 0, 0>
 camera {
    location Centre + vnormalize(<-0.20, 0.055, -1>) * Distance
    right x * Aspect
@@ -188,3 +193,4 @@ camera {
    angle Angle
    look_at Centre
 }
+//@end

@@ -42,6 +42,7 @@ union {
    transform { Raked }
 }
 
+//@camera -Middle, <0, 0, 0>
 camera {
    location <-0.21, 0.035, -0.68> * W
    right x * image_width / image_height
@@ -49,6 +50,7 @@ camera {
    angle 62
    look_at <0.045, -0.010, 0> * W
 }
+//@end
 
 // ---- within the car: dashboard with its hood, wheel, mirror
 
@@ -78,6 +80,7 @@ union {
 
 // ---- the road at dusk, out of focus
 
+//@light <0, 0, 0>
 // Sky and ground as one sphere: afterglow at the horizon, wet asphalt that mirrors it below.
 sphere {
    0, 60 * W
@@ -100,6 +103,7 @@ sphere {
    }
    finish { ambient 0 diffuse 0 emission 1 }
 }
+//@end
 
 // Trees and houses on either side, soft at their upper edge, lower towards the vanishing point.
 #declare Skyline_Length = 16;
@@ -198,7 +202,9 @@ Pair(0.40, Eye - 0.12, 0.20, 0.08, <1.0, 0.06, 0.03> * 0.9)
 
 // ---- light that the walls of cracks scatter: the sky over the bonnet, the lamps of the cars that come, a little from within
 
+//@light
 light_source { <0.6, 2.4, 2.2> * W, rgb <0.42, 0.48, 0.66> * 1.15 }
 light_source { <-0.7, -0.15, 3.0> * W, rgb <1.00, 0.88, 0.70> * 0.85 }
 light_source { <1.8, 0.9, 2.4> * W, rgb <1.00, 0.58, 0.26> * 0.55 }
 light_source { <-0.5, 0.6, -1.6> * W, rgb <0.40, 0.46, 0.60> * 0.12 shadowless }
+//@end

@@ -27,6 +27,7 @@ global_settings { assumed_gamma 1.0 max_trace_level 6 }
 
 #declare Eye = <Middle.x - 90, 400, Low.z + 30>;
 #declare Focus = <Middle.x + 40, Top, Low.z + 620>;
+//@camera <0, 0, 0>, <0, 0, 0>
 camera {
    perspective
    location Eye
@@ -36,10 +37,12 @@ camera {
    look_at <Middle.x + 70, Top, Low.z + 790>
    #if (Quality > 0) focal_point Focus aperture 8 blur_samples 16 confidence 0.9 variance 1/128 #end
 }
+//@end
 
 // ---- light: a low sun from the right, through leaves; a bright sky; the wall throws some back
 
 #declare To_Sun = vnormalize(<0.86, 0.42, 0.42>);
+//@light <0, 0, 0>
 light_source { To_Sun * 1e6 rgb <1.00, 0.80, 0.54> * 4.3 parallel point_at 0 }
 light_source { vnormalize(<-0.3, 1, 0.2>) * 1e6 rgb <0.30, 0.41, 0.60> * 0.62 parallel point_at 0 }
 #if (Quality > 0)
@@ -48,6 +51,7 @@ light_source { vnormalize(<-0.3, 1, 0.2>) * 1e6 rgb <0.30, 0.41, 0.60> * 0.62 pa
 #end
 light_source { vnormalize(<-0.2, 0.5, -1>) * 1e6 rgb <0.30, 0.34, 0.40> * 0.26 parallel point_at 0 shadowless }
 sky_sphere { pigment { gradient y color_map { [0 rgb <0.85, 0.80, 0.72>] [0.3 rgb <0.50, 0.62, 0.80>] [1 rgb <0.16, 0.28, 0.56>] } } }
+//@end
 
 plane { y, Low.y pigment { rgb <0.10, 0.085, 0.06> } finish { ambient 0 diffuse 0.8 } }
 

@@ -128,7 +128,7 @@ TEST(ThreadLimit, OfOneUsesOneThread) {
   EXPECT_EQ(std::set<std::thread::id>(threads.begin(), threads.end()).size(), 1U);
 }
 
-// The right one of the two is only that a limit above one lets more than one thread in.
+// Of the right limit it is only asked that one above 1 lets more than one thread in.
 TEST(ThreadLimit, OfTwoUsesTwoThreads) {
   if (std::thread::hardware_concurrency() < 2) return;
   const ThreadLimit limit(2);

@@ -9,17 +9,15 @@
 #include "core/random.h"
 #include "geometry/lattice.h"
 #include "geometry/region_index.h"
+#include "support/rings.h"
 
 namespace shatterpave::geometry {
 namespace {
 
+using support::reversed;
+
 Polygon rectangle(double x, double y, double width, double height) {
   return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
-}
-
-Polygon reversed(Polygon ring) {
-  std::ranges::reverse(ring);
-  return ring;
 }
 
 double radius(const Region& region) { return inscribed_circle(region).radius; }

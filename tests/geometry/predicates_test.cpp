@@ -12,7 +12,7 @@ namespace {
 
 using boost::multiprecision::cpp_int;
 
-// A fraction, of which only this is asked.
+// A fraction, with the few operations that these tests need.
 struct Fraction {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;

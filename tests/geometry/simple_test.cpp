@@ -7,18 +7,16 @@
 
 #include "core/random.h"
 #include "geometry/predicates.h"
+#include "support/rings.h"
 
 namespace shatterpave::geometry {
 namespace {
 
+using support::reversed;
+
 using Kind = RegionFault::Kind;
 
 const Polygon plain_square = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-
-Polygon reversed(Polygon ring) {
-  std::ranges::reverse(ring);
-  return ring;
-}
 
 struct Case {
   std::string name;

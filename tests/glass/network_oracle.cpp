@@ -86,6 +86,12 @@ class Faults {
   std::vector<std::string> found;
 };
 
+// The crack with the id, if there is one.
+const Crack* crack_with(const CrackNetwork& network, int id) {
+  const auto found = std::ranges::find(network.cracks, id, &Crack::id);
+  return found == network.cracks.end() ? nullptr : &*found;
+}
+
 // Whether the point is one of the crack's vertices.
 bool is_vertex(LatticePoint p, const Crack& crack) {
   const CrackFaces::Polyline points = on_lattice(crack);
@@ -95,8 +101,10 @@ bool is_vertex(LatticePoint p, const Crack& crack) {
 bool may_start(CrackKind kind, CrackEnd::At at) {
   switch (kind) {
     case CrackKind::circular:
+    case CrackKind::rung:
       return at == CrackEnd::At::ring;
     case CrackKind::branch:
+    case CrackKind::chip:
       return at == CrackEnd::At::crack;
     case CrackKind::dice:
       return at == CrackEnd::At::impact || at == CrackEnd::At::crack || at == CrackEnd::At::origin;
@@ -116,9 +124,8 @@ void check_start(const Crack& crack, const CrackNetwork& network, Faults& faults
     faults.add(crack, "does not start at its impact");
   }
   if (crack.start.crack) {
-    const int on = *crack.start.crack;
-    const bool known = on >= 0 && on < static_cast<int>(network.cracks.size()) && on != crack.id;
-    if (!known || !is_vertex(geometry::to_lattice(crack.points_mm.front()), network.cracks[static_cast<std::size_t>(on)])) {
+    const Crack* on = *crack.start.crack == crack.id ? nullptr : crack_with(network, *crack.start.crack);
+    if (on == nullptr || !is_vertex(geometry::to_lattice(crack.points_mm.front()), *on)) {
       faults.add(crack, "starts on no crack");
     }
   }
@@ -139,10 +146,9 @@ void check_end(const Crack& crack, const CrackNetwork& network, const std::vecto
     if (crack.end.crack) faults.add(crack, "names a crack that it does not end on");
     return;
   }
-  if (!crack.end.crack || *crack.end.crack < 0 || *crack.end.crack >= static_cast<int>(network.cracks.size())) {
-    return faults.add(crack, "ends on no crack");
-  }
-  const Crack& other = network.cracks[static_cast<std::size_t>(*crack.end.crack)];
+  const Crack* const met = crack.end.crack ? crack_with(network, *crack.end.crack) : nullptr;
+  if (met == nullptr) return faults.add(crack, "ends on no crack");
+  const Crack& other = *met;
   if (other.impact > crack.impact) faults.add(crack, "stopped at a later impact's crack {}", other.id);
   const CrackFaces::Polyline points = on_lattice(other);
   const auto end = other.id == crack.id ? points.end() - 1 : points.end();
@@ -215,12 +221,13 @@ int crossings(const CrackNetwork& network) {
   return count;
 }
 
-std::vector<std::string> faults(const CrackNetwork& network, const geometry::Polygon& outline) {
+std::vector<std::string> faults(const CrackNetwork& network, const geometry::Polygon& outline, bool grows) {
   Faults faults;
   const std::vector<Piece> edge = sides(outline);
   for (std::size_t i = 0; i < network.cracks.size(); ++i) {
     const Crack& crack = network.cracks[i];
-    if (crack.id != static_cast<int>(i)) faults.add(crack, "not its place");
+    const bool in_order = grows ? i == 0 || network.cracks[i - 1].id < crack.id : crack.id == static_cast<int>(i);
+    if (!in_order) faults.add(crack, "not its place");
     if (crack.points_mm.size() < 2) {
       faults.add(crack, "fewer than two points");
       continue;

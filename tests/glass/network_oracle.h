@@ -16,7 +16,8 @@ inline const std::vector<std::string> nothing;
 // - cracks lie on the lattice and in the pane; one that meets the edge ends there;
 // - two cracks have no stretch in common, do not cross, and meet only where one of them starts or ends;
 // - each starts and ends where its record says.
-std::vector<std::string> faults(const CrackNetwork& network, const geometry::Polygon& outline);
+//   grows  not all cracks need be there
+std::vector<std::string> faults(const CrackNetwork& network, const geometry::Polygon& outline, bool grows = false);
 
 // The same for the second stop rule (§4.2.3 (2)), of a sound network:
 // - a crack that stopped `enclosed` is no ring crack, and cracks that existed then surround its tip;

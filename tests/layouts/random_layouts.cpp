@@ -29,8 +29,8 @@
 #include "measure/stone_index.h"
 #include "paving/bonds/border.h"
 #include "paving/bonds/table.h"
-#include "paving/derived/kerb.h"
 #include "paving/laying.h"
+#include "pipeline/parts.h"
 #include "scene/plans/plan_areas.h"
 #include "scene/read_scene.h"
 
@@ -128,11 +128,10 @@ void print_line(std::string head, const paving::Pavement& pavement, std::uint64_
 
 void print_scene(const std::string& file, bool with_measures) {
   const scene::Scene scene = scene::scene_of_file(file);
-  for (const paving::Pavement& pavement : scene.pavements) {
+  for (const pipeline::PavementPart& part : pipeline::pavement_parts(scene)) {
     const std::string head =
-        fmt::format("{{\"number\":{},\"shape\":\"own\",\"toml\":\"\"", json_text(file + ": " + pavement.name));
-    print_line(head, pavement, scene.seed, with_measures);
-    if (pavement.kerb.width_mm > 0.0) print_line(head, paving::kerb(pavement), scene.seed, with_measures);
+        fmt::format("{{\"number\":{},\"shape\":\"own\",\"toml\":\"\"", json_text(file + ": " + part.pavement.name));
+    print_line(head, part.pavement, scene.seed, with_measures);
   }
 }
 

@@ -66,7 +66,7 @@ TEST(BareSpot, IsSeenWholeHoweverWide) {
 TEST(BareSpot, IsTheWedgeBesideALeaningSide) {
   const Pavement paved = field(216, 108);
   const StoneLayout layout{
-      {block(4, 4, 100, 100), {1, paving::StoneKind::cut, {{112, 4}, {212, 4}, {212, 104}, {152, 104}}, {}}}};
+      {block(4, 4, 100, 100), {1, paving::StoneKind::cut, {{112, 4}, {212, 4}, {212, 104}, {152, 104}}, {}}}, {}};
   // Bare: a triangle between the first stone's cell, the border and the slope of 2.5, set off by half a joint.
   const double slope = std::sqrt(40.0 * 40.0 + 100.0 * 100.0);
   const double top = 108.0 + 40.0 - (4.0 * slope / 100.0 - 4.0);  // where the slope, set off, is 4 mm off the border

@@ -24,7 +24,7 @@ LayoutFaults faults_of(const Pavement& pavement, const StoneLayout& layout) {
 
 TEST(LayoutFaults, AreToldOneByOne) {
   const Pavement paved = paving::pavement(paving::path_area(), 100, 8, paving::ConstantDirection{});
-  const auto of = [&](std::vector<paving::Stone> stones) { return faults_of(paved, {std::move(stones)}); };
+  const auto of = [&](std::vector<paving::Stone> stones) { return faults_of(paved, {std::move(stones), {}}); };
   const paving::Stone one = stone(0, square(10, 10, 100));
   EXPECT_EQ(of({}), LayoutFaults{});
   EXPECT_EQ(of({one, stone(1, square(110.001, 10, 100))}), LayoutFaults{});

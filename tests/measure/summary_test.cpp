@@ -21,7 +21,7 @@ Verdict verdict(const Totals& totals, std::string_view id) { return finding(tota
 
 TEST(Summary, OfNothingIsOpen) {
   const Summary summary = Totals().summary();
-  EXPECT_EQ(summary.findings.size(), 12U);
+  EXPECT_EQ(summary.findings.size(), 16U);
   for (const Finding& finding : summary.findings) EXPECT_EQ(finding.verdict, Verdict::open) << finding.id;
   EXPECT_THROW(finding(summary, "none"), BrokenInvariant);
 }

@@ -30,6 +30,15 @@ TEST(Tracked, CutsCorners) {
   EXPECT_NEAR(points[3].y, 2.8, 1e-12);
 }
 
+TEST(AtWholePixels, MovesEachPointToTheNearest) {
+  const vec2 origin{0.1, 0.2};
+  const std::vector<vec2> points =
+      at_whole_pixels({origin + glass::px_mm * vec2{3.4, -2.6}, origin + glass::px_mm * vec2{0.5, 7.0}}, origin);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(glm::length(points[0] - (origin + glass::px_mm * vec2{3.0, -3.0})), 0.0, 1e-12);
+  EXPECT_NEAR(glm::length(points[1] - (origin + glass::px_mm * vec2{1.0, 7.0})), 0.0, 1e-12);
+}
+
 TEST(Turns, AreCounterClockwisePositive) {
   const std::vector<Angle> found = turns(std::vector<vec2>{{0.0, 0.0}, {1.0, 0.0}, {2.0, 1.0}, {3.0, 1.0}, {3.0, 0.0}});
   ASSERT_EQ(found.size(), 3U);

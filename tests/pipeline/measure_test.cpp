@@ -42,7 +42,9 @@ TEST(Surveyed, BreaksEachPaneWithEachSeed) {
 }
 
 TEST(Surveyed, SweepsTheRadialsEvenly) {
-  const measure::Survey survey = surveyed(scene_of(), {"s.toml", 5, measure::Sweep{10, 20}});
+  // Without its own scatter N follows from M alone.
+  const scene::Scene scene = scene_of("[pane.growth]\nlarge_deviation = 0\n");
+  const measure::Survey survey = surveyed(scene, {"s.toml", 5, measure::Sweep{10, 20}});
   std::vector<int> counts;
   for (const measure::SurveyedPane& pane : survey.panes) {
     counts.push_back(pane.impacts[0].drawn.radial_count);

@@ -27,7 +27,7 @@ class Draws {
   std::uint32_t next_ = 0;
 };
 
-// Pieces that are likely to hurt.
+// Pieces of text that are likely to cause trouble.
 const std::vector<std::string> hostile = {"nan",
                                           "-inf",
                                           "1e999",

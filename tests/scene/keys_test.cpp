@@ -23,10 +23,17 @@ namespace {
 
 const std::string base =
     "[[pane]]\nname = \"w\"\nsize_mm = [300, 300]\n[[pane.impact]]\nat_mm = [150, 150]\n"
-    "[[pavement]]\nname = \"p\"\nsize_mm = [3000, 3000]\n";
+    "[[pavement]]\nname = \"p\"\nsize_mm = [3000, 3000]\n"
+    "[[pavement.colour]]\nsrgb = [0.5, 0.5, 0.5]\n"
+    "[frames]\nrange = \"1-1\"\n[[frames.key]]\nset = \"light.exposure_ev\"\nat = [[1, 1]]\n";
 
 // What must stand beside a key so that it is taken.
 const std::map<std::string, std::vector<std::string>> companions = {
+    {"frames.per_second", {"frames.range=1-1"}},
+    {"camera.f_number", {"camera.focus_mm=1000"}},
+    {"camera.focus_mm", {"camera.f_number=4"}},
+    {"light.sun_azimuth_deg", {"light.sun_elevation_deg=10"}},
+    {"light.sun_elevation_deg", {"light.sun_azimuth_deg=10"}},
     {"pane[].impact[].hole_mm", {"pane[0].crack_body=sheet"}},
     {"pane[].shards.floor_drop_mm", {"pane[0].shards.sill_drop_mm=0"}},
     {"pane[].shards.sill_drop_mm", {"pane[0].shards.floor_drop_mm=10000"}},
@@ -195,6 +202,8 @@ TEST(Keys, TakeTheirChoicesAndNoOther) {
       // Guides must be given beside the kind that takes them.
       if (choice == "guides") {
         EXPECT_EQ(said, "expected one or more polylines, got none");
+      } else if (choice == "grid") {
+        EXPECT_EQ(said, "expected grid_file = \"…\", a file of vectors, got none");
       } else {
         EXPECT_EQ(said, "") << path << " = " << choice;
       }

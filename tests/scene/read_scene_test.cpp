@@ -46,6 +46,27 @@ Scene read(std::string_view text, const std::vector<Override>& overrides = {}) {
 std::string pane(const std::string& lines) { return "[[pane]]\nname = \"w\"\n" + lines; }
 std::string path(const std::string& lines) { return "[[pavement]]\nname = \"p\"\nsize_mm = [900, 900]\n" + lines; }
 
+// Five lines are a window that a stone went through; what is given beside the preset wins.
+TEST(ReadScene, APresetBreaksAWindow) {
+  const std::string lines = "seed = 4\n[[pane]]\nname = \"window\"\nsize_mm = [500, 700]\npreset = \"stone-through-window\"\n";
+  const glass::Pane window = read(lines).panes.at(0);
+  EXPECT_EQ(window.pattern, glass::Pattern::real);
+  EXPECT_EQ(window.thickness_mm, 4.0);
+  EXPECT_TRUE(window.shards.has_value());
+  ASSERT_EQ(window.impacts.size(), 1U);
+  EXPECT_EQ(window.impacts[0].at_mm, (vec2{250.0, 350.0}));
+  EXPECT_EQ(window.impacts[0].mean_radial_count, 30.0);
+  EXPECT_EQ(window.impacts[0].speed_m_s, 8.0);
+  const glass::Pane other =
+      read(lines + "thickness_mm = 6\nshards = {enabled = false}\nimpact = [{at_mm = [9, 9], radial_count = 12}]\n")
+          .panes.at(0);
+  EXPECT_EQ(other.thickness_mm, 6.0);
+  EXPECT_FALSE(other.shards.has_value());
+  EXPECT_EQ(other.impacts[0].radial_count, 12);
+  EXPECT_FALSE(other.impacts[0].mean_radial_count.has_value());
+  EXPECT_EQ(other.impacts[0].ball_diameter_mm, 40.0);
+}
+
 TEST(ReadScene, UnderstandsTheContract) {
   const Scene scene = read(contract_scene);
   EXPECT_EQ(scene.name, "s");
@@ -250,7 +271,7 @@ TEST(ReadScene, ReadsLookGroundAndDetail) {
                 "kerb_width_mm = 120\nkerb_length_mm = 700\nkerb_height_mm = 80\n[pavement.detail]\nviewer_mm = [5, 6]\n"
                 "close_mm = 700\nmesh_mm = 2\n"))
           .pavements[0];
-  EXPECT_EQ(p.look, (paving::Look{paving::Material::basalt, paving::JointFill::mortar, 0.2, 0.7}));
+  EXPECT_EQ(p.look, (paving::Look{paving::Material::basalt, paving::JointFill::mortar, 0.2, 0.7, {}}));
   EXPECT_EQ(p.ground, (paving::Ground{2, Angle::degrees(90), 50, 9, 800}));
   EXPECT_EQ(p.kerb, (paving::Kerb{120, 700, 80}));
   EXPECT_EQ(p.detail, (paving::Detail{{5, 6}, 700, 2}));
@@ -261,17 +282,11 @@ TEST(ReadScene, ReadsLookGroundAndDetail) {
   EXPECT_FALSE(plain.detail.has_value());
 }
 
-TEST(ReadScene, LaysAPavementInSteps) {
-  const auto parts =
-      read(path("bond = \"stack\"\n[pavement.steps]\nriser_mm = 160\ntread_mm = 400\n[pavement.ground]\nlevel_mm = 50\n"))
-          .pavements;
-  ASSERT_EQ(parts.size(), 3U) << "of a metre, the last one narrower";
-  EXPECT_EQ(parts[0].name, "p");
-  EXPECT_EQ(parts[2].name, "p_3");
-  EXPECT_EQ(parts[0].bonding.bond, paving::Bond::stack);
-  EXPECT_EQ(parts[1].surface.height_mm, 160.0);
-  EXPECT_NEAR(parts[2].ground.level_mm - parts[0].ground.level_mm, 320.0, 1e-9);
-  EXPECT_EQ(read(path("[pavement.steps]\n")).pavements.size(), 3U) << "treads are 350 mm deep if nothing is said";
+TEST(ReadScene, ReadsAFlightOfSteps) {
+  const auto flight = [](const std::string& lines) { return read(path(lines)).pavements.at(0).flight; };
+  EXPECT_EQ(flight("[pavement.steps]\nriser_mm = 160\ntread_mm = 400\n"), (paving::Flight{160, 400}));
+  EXPECT_EQ(flight("[pavement.steps]\n"), (paving::Flight{150, 350})) << "if nothing is said";
+  EXPECT_FALSE(flight("").has_value());
 }
 
 TEST(ReadScene, ReadsTheBorderCourse) {
@@ -351,6 +366,23 @@ crack_sheet = { tilt_deg = 20, twist_mm = 5, depth = [0.2, 0.4], relief = 0 }
   EXPECT_EQ(pane.crack_sheet.greatest_depth, 0.4);
   EXPECT_EQ(pane.crack_sheet.relief, 0.0);
   EXPECT_EQ(pane.crack_sheet.opening_mm, glass::CrackSheet().opening_mm);
+}
+
+TEST(ReadScene, ACameraBesideGlassIsTaken) {
+  const std::string pane = "pane = [{name = \"w\", size_mm = [300, 300], thickness_mm = 2.0, impact = [{at_mm = [9, 9]}]}]\n";
+  for (const char* at : {"[150, -1.1, 150]", "[150, 0, 301]", "[-1, 0, 150]", "[150, 1.1, 150]"}) {
+    EXPECT_NO_THROW(scene_of_text(pane + "camera.at_mm = " + at, "s.toml")) << at;
+  }
+}
+
+TEST(ReadScene, APlaceIsToldToHaveNoEffectOnStillsOfOtherSettings) {
+  const std::string placed =
+      "pane = [{name = \"w\", size_mm = [300, 300], place_turn_deg = 30, impact = [{at_mm = [9, 9]}]}]\n";
+  const Scene other = scene_of_text(placed, "s.toml");
+  ASSERT_EQ(other.notes.size(), 1U);
+  EXPECT_EQ(located(other.notes[0]),
+            "s.toml:1:61: pane[0].place_turn_deg: note: has no effect on stills but those of the setting \"own\"");
+  EXPECT_TRUE(scene_of_text(placed + "still.setting = \"own\"", "s.toml").notes.empty());
 }
 
 }  // namespace

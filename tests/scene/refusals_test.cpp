@@ -37,8 +37,10 @@ std::string nested(const std::string& open, int times) {
 }
 
 const std::string pane_key_names =
-    "name, size_mm, outline_mm, outline_file, outline_feature, outline_class, outline_units, thickness_mm, "
-    "preset, impact, growth, shards, glass, pattern, rings, crater, laminate, tempering, crack_body and crack_sheet";
+    "name, size_mm, outline_mm, outline_file, outline_feature, outline_class, outline_units, place_mm, place_turn_deg, "
+    "thickness_mm, bow_mm, "
+    "preset, impact, cracks_file, growth, shards, glass, pattern, rings, crater, laminate, tempering, crack_body, crack_sheet, "
+    "time_us and crack_speed_m_s";
 
 const std::vector<Case> cases = {
     // The file.
@@ -75,9 +77,9 @@ const std::vector<Case> cases = {
     {"floor_above_sill", of_pane(sized + "shards.floor_drop_mm = 24"),
      "s.toml:4:24: pane[0].shards.floor_drop_mm: expected a floor not above the sill, so 25 or more, got 24"},
     {"first_unknown_key", "zzz = 1\nyyy = 2\n" + of_pane(sized),
-     "s.toml:1:1: zzz: unknown key; there are seed, plan, pane, pavement and still"},
+     "s.toml:1:1: zzz: unknown key; there are seed, plan, pane, pavement, still, camera, light and frames"},
     {"strange_key", "\"a\\nb\" = 1\n" + of_pane(sized),
-     "s.toml:1:1: ?: unknown key; there are seed, plan, pane, pavement and still"},
+     "s.toml:1:1: ?: unknown key; there are seed, plan, pane, pavement, still, camera, light and frames"},
     // Kinds of values.
     {"seed_text", "seed = \"7\"\n" + of_pane(sized),
      "s.toml:1:8: seed: expected a whole number from 0 to 9223372036854775807, got the text \"7\""},
@@ -193,8 +195,8 @@ const std::vector<Case> cases = {
      "s.toml:4:14: pavement[0].holes_mm[0][0]: expected a point [x, y], got 1"},
     {"outline_file_missing", of_pane("outline_file = \"none.svg\""),
      "s.toml:3:16: pane[0].outline_file: expected a file, got none of that name: none.svg"},
-    {"outline_file_kind", of_pane("outline_file = \"a.dxf\""),
-     "s.toml:3:16: pane[0].outline_file: expected a file that ends in .geojson, .json or .svg, got \"a.dxf\""},
+    {"outline_file_kind", of_pane("outline_file = \"a.dwg\""),
+     "s.toml:3:16: pane[0].outline_file: expected a file that ends in .geojson, .json, .svg or .dxf, got \"a.dwg\""},
     // Impacts.
     {"no_impact", "[[pane]]\nname = \"w\"\n" + sized,
      "s.toml:1:1: pane[0].impact: expected one or more tables [[pane.impact]], got none"},
@@ -241,27 +243,36 @@ const std::vector<Case> cases = {
      "s.toml:5:8: pavement[0].bond: expected running or stack beside steps, got another one"},
     {"steps_turned", of_path("size_mm = [9, 9]\nsteps.tread_mm = 3\nbond_turn_deg = 45"),
      "s.toml:5:17: pavement[0].bond_turn_deg: expected no bond_turn_deg beside steps, got one"},
-    {"name_of_a_step", of_path("size_mm = [9, 9]\nsteps.tread_mm = 4") + "[[pavement]]\nname = \"path_2\"\nsize_mm = [9, 9]\n",
-     "s.toml:6:8: pavement[1].name: expected a name of its own, got that of part 2 of pavement[0]"},
     {"steps_with_a_kerb", of_path("size_mm = [9, 9]\nsteps.tread_mm = 3\nground.kerb_width_mm = 5"),
      "s.toml:5:1: pavement[0].ground: expected no kerb beside steps, got one"},
     {"steps_about_holes",
      of_path("size_mm = [99, 99]\nholes_mm = [[[40, 40], [60, 40], [60, 60]]]\nsteps.tread_mm = 9\ndirection.kind = "
              "\"boundary\""),
      "s.toml:5:1: pavement[0].steps: expected an area without holes where steps follow its boundary, got one with holes"},
+    {"camera_on_its_target", of_path("size_mm = [9, 9]") + "[camera]\nat_mm = [1, 2, 3]\nlook_at_mm = [1, 2, 3]\n",
+     "s.toml:6:14: camera.look_at_mm: expected a camera that looks at a place other than its own, got the same place"},
+    {"camera_in_glass", of_pane(sized) + "[camera]\nat_mm = [150, -0.9, 150]\n",
+     "s.toml:8:9: camera.at_mm: expected a camera outside the glass, got one within that of window"},
+    {"camera_in_glass_that_is_placed",
+     of_pane(sized + "place_mm = [0, 0, 1000]\nplace_turn_deg = 90") + "[camera]\nat_mm = [0.9, 150, 1150]\n",
+     "s.toml:9:9: camera.at_mm: expected a camera outside the glass, got one within that of window"},
+    {"f_number_alone", of_path("size_mm = [9, 9]") + "[camera]\nf_number = 4\n",
+     "s.toml:5:12: camera.f_number: expected focus_mm beside it, got none"},
+    {"focus_alone", of_path("size_mm = [9, 9]") + "[camera]\nfocus_mm = 400\n",
+     "s.toml:5:12: camera.focus_mm: expected f_number beside it, got none"},
+    {"half_a_sun", of_path("size_mm = [9, 9]") + "[light]\nsun_azimuth_deg = 4\n",
+     "s.toml:5:19: light.sun_azimuth_deg: expected sun_elevation_deg beside it, got none"},
     {"still_flag", of_path("size_mm = [9, 9]") + "[still]\ncaustics = 1\n",
      "s.toml:5:12: still.caustics: expected true or false, got 1"},
     {"name_of_materials", "[[pavement]]\nname = \"Shatterpave-Stone\"\nsize_mm = [9, 9]\n",
      "s.toml:2:8: pavement[0].name: expected a name that no file of materials has, got \"shatterpave_stone.inc\""},
     {"fall_uphill", of_path("size_mm = [9, 9]\nground.fall_percent = -1"),
      "s.toml:4:23: pavement[0].ground.fall_percent: expected a number from 0 to 100, got -1"},
-    {"name_of_a_kerb",
-     of_path("size_mm = [9, 9]\nground.kerb_width_mm = 9") + "[[pavement]]\nname = \"path_kerb\"\nsize_mm = [9, 9]\n",
-     "s.toml:6:8: pavement[1].name: expected a name of its own, got that of pavement[0]"},
     {"detail_mesh_zero", of_path("size_mm = [9, 9]\ndetail.mesh_mm = 0"),
      "s.toml:4:18: pavement[0].detail.mesh_mm: expected a number from 0.1 to 1000, got 0"},
     {"direction_kind", of_path("size_mm = [9, 9]\ndirection.kind = \"spiral\""),
-     "s.toml:4:18: pavement[0].direction.kind: expected \"constant\" or \"boundary\" or \"radial\" or \"guides\", got the text "
+     "s.toml:4:18: pavement[0].direction.kind: expected \"constant\" or \"boundary\" or \"radial\" or \"guides\" or \"grid\", "
+     "got the text "
      "\"spiral\""},
     {"guides_missing", of_path("size_mm = [9, 9]\ndirection.kind = \"guides\""),
      "s.toml:4:1: pavement[0].direction.guides_mm: expected one or more polylines, got none"},

@@ -37,6 +37,9 @@ for material in bpy.data.materials:
     if shader is None:
         continue
     is_glass = material.name.startswith("glass")
+    if "_stone_" in material.name:
+        for name in ("Base Color", "Roughness", "Normal"):
+            expect(shader.inputs[name].is_linked, f"{material.name} to have a texture for {name}")
     expect(shader.inputs["Metallic"].default_value == 0, f"{material.name} not to be metal")
     if is_glass:
         expect(shader.inputs["Transmission"].default_value == 1, f"{material.name} to let light through")

@@ -24,7 +24,7 @@ if configured REQUIRED; then fail "REQUIRED goes on without the library"; fi
 grep -q 'plotting library of the report is missing' "$scratch/log" || fail "REQUIRED does not say what is missing"
 
 mkdir "$scratch/packages"
-cp "$build"/plots/vega-*.tgz "$scratch/packages/"
+cp "$build"/plots/{vega,three}-*.tgz "$scratch/packages/"
 configured REQUIRED -DSHATTERPAVE_PLOTS_FOLDER="$scratch/packages" || fail "packages in a folder are not taken"
 for package in "$scratch"/packages/vega-lite-*.tgz; do printf 'x' >>"$package"; done
 if configured AUTO -DSHATTERPAVE_PLOTS_FOLDER="$scratch/packages"; then fail "a changed package is taken"; fi

@@ -80,6 +80,31 @@ refuse 's.toml:5:1: pane[0].growth: expected cracks that cross the pane in at mo
 size_mm = [1e6, 1e6]
 impact = [{at_mm = [9, 9], radial_count = 9}]
 growth.step_length_px = 0.1"
+# Environments: looked at by the reader, and, where they are pictures, by the program that reads those.
+printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 40 +X 60\n' >square.hdr
+printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 5000 +X 10000\n' >large.hdr
+printf 'a picture' >text.exr
+refuse 's.toml:5:15: light.environment: expected a file, got none of that name: none.exr' "$pavement
+size_mm = [900, 900]
+[light]
+environment = \"none.exr\""
+refuse 's.toml:5:15: light.environment: expected an EXR, HDR or PNG picture, got another file: text.exr' "$pavement
+size_mm = [900, 900]
+[light]
+environment = \"text.exr\""
+refuse 's.toml:5:15: light.environment: square.hdr: expected a lat-long picture, twice as wide as high, got 60 × 40 px' "$pavement
+size_mm = [900, 900]
+[light]
+environment = \"square.hdr\""
+refuse 's.toml:5:22: light.environment: large.hdr: expected a picture of at most 8192 × 4096 px, got 10000 × 5000 px' "$pavement
+size_mm = [900, 900]
+[light]
+\"env\\u0069ronment\" = \"large.hdr\""
+refuse 's.toml:6:9: camera.at_mm: expected a camera outside the glass, got one within that of w' "$pane
+size_mm = [300, 300]
+impact = [{ at_mm = [150, 150] }]
+[camera]
+at_mm = [9, 0, 9]"
 # What the reader refuses.
 refuse 's.toml:4:12: pavement[0].joint_mm: expected a number from 0 to 1000, got 1001' "$pavement
 size_mm = [900, 900]

@@ -5,10 +5,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <string_view>
 
 #include "export/names.h"
+#include "studio/camera.h"
+#include "studio/light.h"
+#include "studio/world.h"
 
 namespace shatterpave::exporting::json {
 
@@ -40,6 +44,10 @@ void put_point(Buffer& out, vec2 p) {
   put(out, p.y);
   put(out, "]");
 }
+
+void put_place(Buffer& out, vec3 p) { fmt::format_to(std::back_inserter(out), "[{},{},{}]", p.x + 0.0, p.y + 0.0, p.z + 0.0); }
+
+void put_degrees(Buffer& out, Angle angle) { put(out, std::round(angle.degrees() * 1e6) / 1e6); }
 
 // A list in brackets, its elements written by `put_element`, `separator` between them.
 template <typename List, typename PutElement>
@@ -121,11 +129,71 @@ void put_shard(Buffer& out, const glass::Shard& shard) {
 }
 
 void put_stone(Buffer& out, const paving::Stone& stone) {
-  fmt::format_to(std::back_inserter(out), "{{\"id\":{},\"kind\":\"{}\",\"outline_mm\":", stone.id, name_of(stone.kind));
+  fmt::format_to(std::back_inserter(out), "{{\"id\":{},\"part\":\"{}\",\"kind\":\"{}\",\"outline_mm\":", stone.id,
+                 name_of(stone.part), name_of(stone.kind));
   put_points(out, stone.outline_mm);
   put(out, ",\"angle_deg\":");
-  put(out, std::round(stone.angle.degrees() * 1e6) / 1e6);
+  put_degrees(out, stone.angle);
+  if (stone.sunk_mm > 0.0) fmt::format_to(std::back_inserter(out), ",\"sunk_mm\":{}", stone.sunk_mm);
+  if (stone.colour >= 0) fmt::format_to(std::back_inserter(out), ",\"colour\":{}", stone.colour);
   put(out, "}");
+}
+
+// As the scene's own keys have it.
+void put_camera(Buffer& out, const studio::Camera& camera) {
+  put(out, " \"camera\":{\"at_mm\":");
+  put_place(out, camera.at_mm);
+  put(out, ",\"look_at_mm\":");
+  put_place(out, camera.look_at_mm);
+  put(out, ",\"field_of_view_deg\":");
+  put_degrees(out, camera.field_of_view);
+  if (camera.f_number) {
+    fmt::format_to(std::back_inserter(out), ",\"focus_mm\":{},\"f_number\":{}", *camera.focus_mm, *camera.f_number);
+  }
+  if (camera.size_px) {
+    fmt::format_to(std::back_inserter(out), ",\"size_px\":[{},{}]", (*camera.size_px)[0], (*camera.size_px)[1]);
+  }
+  put(out, "},\n");
+}
+
+// The same; of a picture beside the scene its name alone, since where it lies is no one else's.
+void put_light(Buffer& out, const studio::Light& light) {
+  put(out, " \"light\":{");
+  if (!light.environment.empty()) {
+    put(out, "\"environment\":");
+    put_text(out, std::filesystem::path(light.environment).filename().string());
+    put(out, ",");
+  }
+  put(out, "\"environment_turn_deg\":");
+  put_degrees(out, light.environment_turn);
+  fmt::format_to(std::back_inserter(out), ",\"environment_gain\":{}", light.environment_gain);
+  if (light.sun) {
+    put(out, ",\"sun_azimuth_deg\":");
+    put_degrees(out, light.sun->azimuth);
+    put(out, ",\"sun_elevation_deg\":");
+    put_degrees(out, light.sun->elevation);
+    fmt::format_to(std::back_inserter(out), ",\"sun_gain\":{}", light.sun->gain);
+  }
+  fmt::format_to(std::back_inserter(out), ",\"exposure_ev\":{}}},\n", light.exposure_ev + 0.0);
+}
+
+void put_placement(Buffer& out, const studio::Placement& placement) {
+  if (placement == studio::Placement{}) return;
+  put(out, ",\"place_mm\":");
+  put_place(out, placement.at_mm);
+  put(out, ",\"place_turn_deg\":");
+  put_degrees(out, placement.turn);
+}
+
+void put_photograph(Buffer& out, const Photograph& photograph) {
+  fmt::format_to(std::back_inserter(out),
+                 ",\n  \"photograph\":{{\"size_px\":[{},{}],\"mm_per_px\":{},\"impact_px\":", photograph.width_px,
+                 photograph.height_px, photograph.mm_per_px);
+  put_point(out, photograph.impact_px);
+  put(out, ",\"corners_px\":");
+  put_list(out, photograph.corners_px, ",", [&](vec2 p) { put_point(out, p); });
+  fmt::format_to(std::back_inserter(out), ",\"radial_interval\":[{},{}]}}", photograph.radial_interval[0],
+                 photograph.radial_interval[1]);
 }
 
 void put_pane(Buffer& out, const BrokenPane& broken) {
@@ -135,6 +203,12 @@ void put_pane(Buffer& out, const BrokenPane& broken) {
   put_points(out, broken.pane.outline_mm);
   put(out, ",\"thickness_mm\":");
   put(out, broken.pane.thickness_mm);
+  if (broken.pane.bow_mm != vec2{0.0, 0.0}) {
+    put(out, ",\"bow_mm\":");
+    put_point(out, broken.pane.bow_mm);
+  }
+  put_placement(out, broken.pane.placement);
+  if (broken.photograph) put_photograph(out, *broken.photograph);
   put(out, ",\n  \"impacts\":");
   put_list(out, broken.network.impacts, ",\n   ", [&](const glass::ImpactCounts& impact) { put_impact(out, impact); });
   put(out, ",\n  \"cracks\":");
@@ -153,8 +227,13 @@ void put_pavement(Buffer& out, const PavedArea& paved) {
   put_points(out, paved.pavement.area.outline);
   put(out, ",\"holes_mm\":");
   put_list(out, paved.pavement.area.holes, ",", [&](const geometry::Polygon& hole) { put_points(out, hole); });
+  put_placement(out, paved.pavement.placement);
   put(out, ",\n  \"stones\":");
   put_list(out, paved.layout.stones, ",\n   ", [&](const paving::Stone& stone) { put_stone(out, stone); });
+  if (!paved.layout.missing.empty()) {
+    put(out, ",\n  \"missing\":");
+    put_list(out, paved.layout.missing, ",\n   ", [&](const paving::Stone& stone) { put_stone(out, stone); });
+  }
   put(out, "}");
 }
 
@@ -162,8 +241,10 @@ void put_pavement(Buffer& out, const PavedArea& paved) {
 
 OutputFile json_file(const Model& model) {
   Buffer out;
-  fmt::format_to(std::back_inserter(out),
-                 "{{\"format\":\"shatterpave-geometry\",\"version\":1,\"seed\":{},\n \"panes\":", model.seed);
+  fmt::format_to(std::back_inserter(out), "{{\"format\":\"shatterpave-geometry\",\"version\":1,\"seed\":{},\n", model.seed);
+  if (model.camera) put_camera(out, *model.camera);
+  if (model.light) put_light(out, *model.light);
+  put(out, " \"panes\":");
   put_list(out, model.panes, ",\n  ", [&](const BrokenPane& pane) { put_pane(out, pane); });
   put(out, ",\n \"pavements\":");
   put_list(out, model.pavements, ",\n  ", [&](const PavedArea& paved) { put_pavement(out, paved); });

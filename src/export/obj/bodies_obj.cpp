@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <iterator>
-#include <map>
+#include <limits>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "core/vec.h"
@@ -19,7 +22,7 @@ namespace shatterpave::exporting::obj {
 
 namespace {
 
-using Buffer = fmt::memory_buffer;
+using Buffer = std::string;
 using shapes::Substance;
 
 // Glass as far as the format can say it. Importers differ in what they make of it; Blender's takes d for how much of a thing is
@@ -54,28 +57,89 @@ std::string text_of(const shapes::Material& material) {
 }
 
 constexpr double mm_per_m = 1000.0;
-// Normals, and places in textures in metres, are written in parts of this.
-constexpr double parts = 1e6;
+constexpr int lattice_digits = 6;  // of metres in lattice steps, which are µm
+static_assert(geometry::lattice_per_mm * mm_per_m == 1e6);
+// After the point: fewer make triangles of no area in textures, and normals that no longer are what their faces' are.
+constexpr int normal_digits = 6;
+constexpr int place_digits = 6;
 
-// Lines of one kind, such as "vt", each written once for a body and counted through the file.
-template <typename Key>
+constexpr std::int64_t power_of_ten(int digits) { return digits == 0 ? 1 : 10 * power_of_ten(digits - 1); }
+
+std::int64_t in_parts(double value, int digits) { return std::llround(static_cast<double>(power_of_ten(digits)) * value); }
+
+// A space, and `value` over that power of ten without zeros at its end.
+void append_decimal(Buffer& out, std::int64_t value, int digits) {
+  std::array<char, 24> text{};
+  char* const end = text.data() + text.size();
+  char* at = end;
+  bool is_needed = false;
+  std::uint64_t rest = value < 0 ? 0U - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
+  for (int k = 0; k < digits; ++k, rest /= 10U) {
+    const auto digit = static_cast<char>('0' + static_cast<char>(rest % 10U));
+    is_needed = is_needed || digit != '0';
+    if (is_needed) *--at = digit;
+  }
+  if (is_needed) *--at = '.';
+  do {
+    *--at = static_cast<char>('0' + static_cast<char>(rest % 10U));
+    rest /= 10U;
+  } while (rest != 0);
+  if (value < 0) *--at = '-';
+  *--at = ' ';
+  out.append(at, end);
+}
+
+// Lines of one kind, such as "vt", each written once for a body and counted through the file: a table of hashes with a place
+// for each line, at most half full. Numbers are given in the order in which lines come, so that nothing else shows in the file.
+template <std::size_t Size>
 class Lines {
  public:
-  explicit Lines(std::size_t& count) : count_(count) {}
+  using Key = std::array<std::int64_t, Size>;
+
+  explicit Lines(std::size_t& count) : count_(count), first_(count) {}
   // The number of the line, which `put` writes where it is new.
   template <typename Put>
   std::size_t number(const Key& key, const Put& put) {
-    const auto [line, is_new] = numbers_.try_emplace(key, count_ + 1);
-    if (is_new) {
+    if (2 * (keys_.size() + 1) > slots_.size()) grow();
+    std::uint32_t& slot = slots_[slot_of(key)];
+    if (slot == 0) {
+      keys_.push_back(key);
+      slot = static_cast<std::uint32_t>(keys_.size());
       put();
       ++count_;
     }
-    return line->second;
+    return first_ + slot;
   }
 
  private:
+  // The place that holds the key, or else the free one for it.
+  std::size_t slot_of(const Key& key) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = hash(key) & mask;
+    while (slots_[at] != 0 && keys_[slots_[at] - 1] != key) at = (at + 1) & mask;
+    return at;
+  }
+  // Rounds of the finaliser of MurmurHash3.
+  static std::size_t hash(const Key& key) {
+    std::uint64_t mixed = 0;
+    for (const std::int64_t part : key) {
+      mixed ^= static_cast<std::uint64_t>(part);
+      mixed = (mixed ^ (mixed >> 33U)) * 0xff51afd7ed558ccdULL;
+      mixed ^= mixed >> 33U;
+    }
+    return mixed;
+  }
+  void grow() {
+    constexpr std::size_t least = 64;
+    ENSURE(keys_.size() < std::numeric_limits<std::uint32_t>::max());
+    slots_.assign(std::max(least, 2 * slots_.size()), 0);
+    for (std::size_t k = 0; k < keys_.size(); ++k) slots_[slot_of(keys_[k])] = static_cast<std::uint32_t>(k + 1);
+  }
+
   std::size_t& count_;
-  std::map<Key, std::size_t> numbers_;
+  std::size_t first_;                 // lines before those of the body
+  std::vector<std::uint32_t> slots_;  // the number of a line of the body; 0 is free
+  std::vector<Key> keys_;             // of its lines
 };
 
 // Numbers of lines so far: OBJ counts from 1, through the file.
@@ -84,12 +148,6 @@ struct Counts {
   std::size_t places = 0;
   std::size_t normals = 0;
 };
-
-// One division, so that the shortest number that reads back is the one with whole µm.
-double to_m(std::int64_t coordinate) { return static_cast<double>(coordinate) / (geometry::lattice_per_mm * mm_per_m); }
-
-long long in_parts(double value) { return std::llround(parts * value); }
-double of_parts(long long value) { return static_cast<double>(value) / parts; }
 
 class BodyText {
  public:
@@ -126,33 +184,40 @@ class BodyText {
     // What is turned lies anywhere: it is told apart where it was before that.
     for (std::size_t axis = 0; axis < 3; ++axis) key.at(axis) = geometry::to_lattice((is_upright_ ? at_mm : own_mm)[axis]);
     return vertices_.number(key, [&] {
-      fmt::format_to(std::back_inserter(out_), "v");
+      out_.push_back('v');
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double part = is_upright_ ? to_m(key.at(axis)) : at_mm[axis] / mm_per_m;
-        fmt::format_to(std::back_inserter(out_), " {}", part + 0.0);
+        if (is_upright_) {
+          append_decimal(out_, key.at(axis), lattice_digits);
+        } else {
+          fmt::format_to(std::back_inserter(out_), " {}", at_mm[axis] / mm_per_m + 0.0);
+        }
       }
       out_.push_back('\n');
     });
   }
   std::size_t normal(vec3 own) {
     const vec3 turned = placing_.turned(own);
-    const std::array<long long, 3> key{in_parts(turned.x), in_parts(turned.y), in_parts(turned.z)};
-    return normals_.number(key, [&] {
-      fmt::format_to(std::back_inserter(out_), "vn {} {} {}\n", of_parts(key[0]), of_parts(key[1]), of_parts(key[2]));
-    });
+    const std::array<std::int64_t, 3> key{in_parts(turned.x, normal_digits), in_parts(turned.y, normal_digits),
+                                          in_parts(turned.z, normal_digits)};
+    return normals_.number(key, [&] { append_line("vn", key, normal_digits); });
   }
   std::size_t place(vec2 uv_m) {
-    const std::array<long long, 2> key{in_parts(uv_m.x), in_parts(uv_m.y)};
-    return places_.number(key,
-                          [&] { fmt::format_to(std::back_inserter(out_), "vt {} {}\n", of_parts(key[0]), of_parts(key[1])); });
+    const std::array<std::int64_t, 2> key{in_parts(uv_m.x, place_digits), in_parts(uv_m.y, place_digits)};
+    return places_.number(key, [&] { append_line("vt", key, place_digits); });
+  }
+  template <std::size_t Size>
+  void append_line(std::string_view word, const std::array<std::int64_t, Size>& values, int digits) {
+    out_.append(word);
+    for (const std::int64_t value : values) append_decimal(out_, value, digits);
+    out_.push_back('\n');
   }
 
   Buffer& out_;
   const shapes::Placing& placing_;
   bool is_upright_;
-  Lines<std::array<std::int64_t, 3>> vertices_;
-  Lines<std::array<long long, 2>> places_;
-  Lines<std::array<long long, 3>> normals_;
+  Lines<3> vertices_;
+  Lines<2> places_;
+  Lines<3> normals_;
 };
 
 [[noreturn]] void refuse_empty(const Model& model) {
@@ -185,7 +250,10 @@ std::vector<OutputFile> obj_files(const Model& model) {
       "# Clear glass that refracts by Ni: all light goes through (Tf), nothing is cut out (d 1), nothing is metal (Ka 0, Pm "
       "0).\n";
   for (const shapes::Material& material : materials.all) mtl += text_of(material);
-  return {{model.name + ".obj", fmt::to_string(out)}, {model.name + ".mtl", std::move(mtl)}};
+  std::vector<OutputFile> files;
+  files.push_back({model.name + ".obj", std::move(out)});
+  files.push_back({model.name + ".mtl", std::move(mtl)});
+  return files;
 }
 
 void append(const Model& model, Outputs& outputs) { std::ranges::move(obj_files(model), std::back_inserter(outputs.files)); }

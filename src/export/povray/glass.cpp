@@ -7,10 +7,13 @@
 #include <string_view>
 #include <utility>
 
+#include "export/povray/bent_glass.h"
 #include "export/povray/sdl.h"
 #include "export/povray/shards.h"
 #include "export/povray/sheets.h"
+#include "export/shapes/glass_meshes.h"
 #include "export/shapes/tubes.h"
+#include "geometry/bend.h"
 #include "geometry/polygon.h"
 
 namespace shatterpave::exporting::povray {
@@ -36,7 +39,29 @@ void append_ring(std::string& text, const geometry::Polygon& ring) {
 // A prism sweeps along y what is given in x and z; this stands it up: y to -z, z to y.
 constexpr std::string_view standing = "   matrix <1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 0, 0>\n";
 
+// Of a bent pane: the corners of its box, and the slab as a mesh.
+void append_bent_slab(std::string& text, const glass::Pane& pane, const std::string& prefix) {
+  const geometry::Bend bend = glass::bend_of(pane);
+  const shapes::Mesh slab = shapes::bent(shapes::slab_mesh(pane), bend, shapes::bent_pane_bound_mm);
+  vec3 low = slab.points_mm.front();
+  vec3 high = low;
+  for (const vec3& p : slab.points_mm) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  text += fmt::format(
+      "#declare {0}_Min = {1};\n#declare {0}_Max = {2};\n#declare {0}_Thickness = {3};\n#declare {0}_Rectangular = {4};\n",
+      prefix, standing_point({low.x, low.y, high.z}), standing_point({high.x, high.y, low.z}), number(pane.thickness_mm),
+      is_rectangle(pane.outline_mm) ? 1 : 0);
+  text += bend_declarations(bend, prefix);
+  text += fmt::format("#declare {}_Slab =\n{}\n", prefix, closed_mesh(slab));
+}
+
 void append_slab(std::string& text, const glass::Pane& pane, const std::string& prefix) {
+  if (pane.bow_mm != vec2{0.0, 0.0}) {
+    append_bent_slab(text, pane, prefix);
+    return;
+  }
   const geometry::Box box = geometry::bounding_box(pane.outline_mm);
   const double half = 0.5 * pane.thickness_mm;
   text += fmt::format(
@@ -66,28 +91,39 @@ void append_declaration(std::string& text, const std::string& name, const std::v
   if (!objects.empty()) text += fmt::format("#declare {} =\n{}\n", name, together(objects));
 }
 
-std::vector<std::string> tube_texts(const std::vector<shapes::Tube>& tubes) {
+std::string tube_text(const shapes::Tube& tube, const geometry::Bend& bend) {
+  if (!bend.is_flat()) return closed_mesh(shapes::bent(shapes::tube_mesh(tube), bend, shapes::bent_pane_bound_mm));
+  std::string text = "   cylinder { ";
+  append_standing_point(text, {tube.a_mm, 0.0});
+  text += ", ";
+  append_standing_point(text, {tube.b_mm, 0.0});
+  text += ", ";
+  append_number(text, tube.radius_mm);
+  return text + " }\n";
+}
+
+std::vector<std::string> tube_texts(const std::vector<shapes::Tube>& tubes, const geometry::Bend& bend) {
   std::vector<std::string> texts;
   int crack = -1;
   for (const shapes::Tube& tube : tubes) {
     std::string text;
     if (tube.crack != crack) text += fmt::format("   // crack {}\n", tube.crack);
     crack = tube.crack;
-    text += "   cylinder { ";
-    append_standing_point(text, {tube.a_mm, 0.0});
-    text += ", ";
-    append_standing_point(text, {tube.b_mm, 0.0});
-    text += ", ";
-    append_number(text, tube.radius_mm);
-    texts.push_back(text + " }\n");
+    texts.push_back(text + tube_text(tube, bend));
   }
   return texts;
 }
 
-std::vector<std::string> crushed_texts(const std::vector<glass::ImpactZone>& zones, const std::string& prefix) {
+std::vector<std::string> crushed_texts(const std::vector<glass::ImpactZone>& zones, const glass::Pane& pane,
+                                       const std::string& prefix) {
+  const geometry::Bend bend = glass::bend_of(pane);
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < zones.size(); ++i) {
     const glass::ImpactZone& zone = zones[i];
+    if (!bend.is_flat()) {
+      texts.push_back(crushed_layers(zone, bend, pane.thickness_mm, i));
+      continue;
+    }
     texts.push_back(fmt::format("   object {{ Shatterpave_Crushed({}, {}_Thickness, {}) translate {} }}\n",
                                 number(zone.radius_mm), prefix, i, standing_point({zone.centre_mm, 0.0})));
   }
@@ -106,29 +142,44 @@ struct CrackGroup {
   std::vector<std::string> objects;
 };
 
+// What of the call of a material is another one for bent panes.
+struct Bending {
+  std::string name;       // between Shatterpave_ and the rest of it
+  std::string arguments;  // after the others
+};
+Bending bending_of(const geometry::Bend& bend, const std::string& prefix) {
+  return bend.is_flat() ? Bending{} : Bending{"Bent_", ", " + bend_arguments(prefix)};
+}
+
 std::vector<CrackGroup> crack_groups(const BrokenPane& broken, const std::string& prefix) {
+  const geometry::Bend bend = glass::bend_of(broken.pane);
+  const Bending bending = bending_of(bend, prefix);
+  const auto text_of = [&](shapes::Mesh mesh) {
+    return closed_mesh(shapes::bent(std::move(mesh), bend, shapes::bent_pane_bound_mm));
+  };
   std::vector<CrackGroup> groups;
   for (std::size_t i = 0; i < broken.network.impacts.size(); ++i) {
-    CrackGroup group{
-        fmt::format("{}_Cracks_{}", prefix, i),
-        fmt::format("Shatterpave_Sheet({}, {}_Thickness, {})", standing_point({broken.network.impacts[i].at_mm, 0.0}), prefix,
-                    number(broken.pane.crack_sheet.relief)),
-        {}};
+    CrackGroup group{fmt::format("{}_Cracks_{}", prefix, i),
+                     fmt::format("Shatterpave_{}Sheet({}, {}_Thickness, {}{})", bending.name,
+                                 standing_point({broken.network.impacts[i].at_mm, 0.0}), prefix,
+                                 number(broken.pane.crack_sheet.relief), bending.arguments),
+                     {}};
     int crack = -1;
     for (const glass::CrackSurface& surface : broken.surfaces.surfaces) {
       if (surface.impact != static_cast<int>(i)) continue;
       const std::string comment = surface.crack != crack ? fmt::format("   // crack {}\n", surface.crack) : std::string();
       crack = surface.crack;
-      group.objects.push_back(comment + sheet_mesh(surface));
+      group.objects.push_back(comment + (bend.is_flat() ? sheet_mesh(surface) : text_of(shapes::gap_mesh(surface))));
     }
     if (!group.objects.empty()) groups.push_back(std::move(group));
   }
   for (std::size_t i = 0; i < broken.surfaces.shot_holes.size(); ++i) {
-    const glass::ShotHoleShape& shape = broken.surfaces.shot_holes[i].shape;
+    const glass::ShotHole& hole = broken.surfaces.shot_holes[i];
     groups.push_back({fmt::format("{}_Shot_Hole_{}", prefix, i),
-                      fmt::format("Shatterpave_Shot_Hole({}, {}, {}, {}_Thickness)", standing_point({shape.centre_mm, 0.0}),
-                                  number(shape.hole_radius_mm), number(shape.spall_radius_mm), prefix),
-                      {shot_hole_mesh(broken.surfaces.shot_holes[i])}});
+                      fmt::format("Shatterpave_{}Shot_Hole({}, {}, {}, {}_Thickness{})", bending.name,
+                                  standing_point({hole.shape.centre_mm, 0.0}), number(hole.shape.hole_radius_mm),
+                                  number(hole.shape.spall_radius_mm), prefix, bending.arguments),
+                      {bend.is_flat() ? shot_hole_mesh(hole) : text_of(shapes::hole_mesh(hole))}});
   }
   return groups;
 }
@@ -174,9 +225,17 @@ std::vector<std::string> crack_lines(Body body) {
           "                  faces of the slab go on over a hole as a skin of 0.01 mm, of which only a faint reflection shows"};
 }
 
+// Lines of the header that only bent panes have.
+void describe_bend(const glass::Pane& pane, IncludeHeader& header) {
+  if (pane.bow_mm == vec2{0.0, 0.0}) return;
+  header.description.push_back(
+      fmt::format("It is bent: {} mm across and {} mm along, above 0 towards -z; the corners of its box are at z = 0.",
+                  number(pane.bow_mm.x), number(pane.bow_mm.y)));
+}
+
 IncludeHeader header(const BrokenPane& broken, const std::string& prefix, Body body) {
   IncludeHeader header;
-  header.file = broken.pane.name + ".inc";
+  header.file = stem_of(broken) + ".inc";
   header.prefix = prefix;
   header.description = {
       fmt::format("Broken pane of glass \"{}\": {} cracks as {} of air in a slab.", broken.pane.name,
@@ -186,6 +245,7 @@ IncludeHeader header(const BrokenPane& broken, const std::string& prefix, Body b
       fmt::format("Needs max_trace_level 12 or more in global_settings: each {} and each face of the slab refracts.",
                   body == Body::tubes ? "tube" : "gap"),
   };
+  describe_bend(broken.pane, header);
   const auto line = [&](std::string_view pattern) { return fmt::format(fmt::runtime(pattern), prefix); };
   header.declarations = {
       "Declares:",
@@ -210,7 +270,7 @@ IncludeHeader header(const BrokenPane& broken, const std::string& prefix, Body b
 
 IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix, bool has_cracks) {
   IncludeHeader header;
-  header.file = broken.pane.name + ".inc";
+  header.file = stem_of(broken) + ".inc";
   header.prefix = prefix;
   header.description = {
       fmt::format("Broken pane of glass \"{}\" as shards: closed meshes, no two of which touch.", broken.pane.name),
@@ -218,6 +278,7 @@ IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix,
       "the middle of its thickness at z = 0. Place it with object { … translate … }.",
       "Needs max_trace_level 12 or more in global_settings: each face of a shard refracts.",
   };
+  describe_bend(broken.pane, header);
   header.declarations = {"Declares:"};
   std::ranges::copy(shard_declarations(prefix, has_cracks), std::back_inserter(header.declarations));
   for (const std::string_view pattern :
@@ -237,7 +298,7 @@ OutputFile shards_include(const BrokenPane& broken, const std::string& prefix) {
   text += tubes.empty() ? "\n" : "#include \"shatterpave_glass.inc\"\n\n";
   append_slab(text, broken.pane, prefix);
   append_surround(text, broken.pane, prefix);
-  append_declaration(text, prefix + "_Cracks", tube_texts(tubes));
+  append_declaration(text, prefix + "_Cracks", tube_texts(tubes, glass::bend_of(broken.pane)));
   append_shards(text, broken, prefix, !tubes.empty());
   const IncludeHeader about = shards_header(broken, prefix, !tubes.empty());
   return {about.file, include_text(about, text)};
@@ -255,12 +316,14 @@ OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
   } else {
     const shapes::TubedCracks cracks = shapes::tubed_cracks(broken.pane, broken.network);
     zones = cracks.zones;
-    if (!cracks.tubes.empty()) groups.push_back({prefix + "_Cracks", std::string(own_tubes), tube_texts(cracks.tubes)});
+    if (!cracks.tubes.empty())
+      groups.push_back({prefix + "_Cracks", std::string(own_tubes), tube_texts(cracks.tubes, glass::bend_of(broken.pane))});
   }
-  std::string text = "#include \"shatterpave_glass.inc\"\n\n";
+  const bool is_flat = glass::bend_of(broken.pane).is_flat();
+  std::string text = fmt::format("#include \"shatterpave_{}glass.inc\"\n\n", is_flat ? "" : "bent_");
   append_slab(text, broken.pane, prefix);
   for (const CrackGroup& group : groups) append_declaration(text, group.name, group.objects);
-  append_declaration(text, prefix + "_Crushed", crushed_texts(zones, prefix));
+  append_declaration(text, prefix + "_Crushed", crushed_texts(zones, broken.pane, prefix));
   append_surround(text, broken.pane, prefix);
   append_whole(text, groups, !zones.empty(), prefix);
   const IncludeHeader about = header(broken, prefix, body);

@@ -4,6 +4,8 @@
 
 #include <string_view>
 
+#include "export/shapes/palette.h"
+
 namespace shatterpave::exporting::povray {
 
 namespace {
@@ -28,8 +30,58 @@ std::string_view macro_of(Material material) {
   return "Setts";
 }
 
+// What a material makes of the colour of a stone where it is worn and where it is light, and how its relief is worn: as in
+// templates/includes/shatterpave_materials.inc.
+struct Shading {
+  std::string_view worn;
+  double light = 1.0;
+  double polish = 0.2;
+};
+
+Shading shading_of(Material material) {
+  switch (material) {
+    case Material::granite:
+      return {"<0.70, 0.67, 0.62>", 1.10, 0.20};
+    case Material::basalt:
+      return {"<0.72, 0.68, 0.62>", 1.30, 0.26};
+    case Material::sandstone:
+      return {"<0.70, 0.66, 0.60>", 1.10, 0.06};
+    case Material::limestone:
+      return {"<0.74, 0.71, 0.66>", 1.06, 0.12};
+    case Material::brick:
+      return {"<0.72, 0.70, 0.68>", 1.12, 0.05};
+    case Material::setts:
+      break;
+  }
+  return {"<0.62, 0.58, 0.52>", 1.22, 0.22};
+}
+
+// Whole parts of a tone are the numbers of the user's own colours.
+std::string own_texture(const paving::Pavement& pavement, const std::string& prefix, double side_mm) {
+  const paving::Look& look = pavement.look;
+  const Shading shading = shading_of(look.material);
+  const auto& colours = look.colours.colours;
+  std::string text = fmt::format("   #local Own = array[{}] {{ ", colours.size());
+  const shapes::Palette palette(look);
+  for (int k = 0; k < static_cast<int>(colours.size()); ++k) {
+    const shapes::Colour colour = palette.stone(0.0, k).colour;
+    text += fmt::format("{}rgb <{:.5f}, {:.5f}, {:.5f}>", k == 0 ? "" : ", ", colour.red, colour.green, colour.blue);
+  }
+  text += " }\n";
+  text += fmt::format(
+      "   #local Of_Stone = mod(Tone, 1);\n"
+      "   #local C = Shatterpave_Wetted(Own[floor(Tone)], {0});\n"
+      "   Shatterpave_Finished(Shatterpave_{1}_Pigment(C * {2}, {3}, Of_Stone), Shatterpave_{1}_Pigment(C, {3}, Of_Stone),\n"
+      "      Shatterpave_{1}_Pigment(C * {4}, {3}, Of_Stone), {5}_Relief_Pattern, {5}_Relief_Normal, {0}, {6}, {7}, "
+      "{5}_Bed_Level, {5}_Top)\n",
+      look.wetness, macro_of(look.material), shading.worn, side_mm, shading.light, prefix, look.moss.value_or(0.0),
+      shading.polish);
+  return text;
+}
+
 bool has_plain_stones(const paving::Pavement& pavement) {
   const paving::Look& look = pavement.look;
+  if (!look.colours.colours.empty()) return false;
   return look.material == Material::setts && pavement.body.finish == paving::Finish::none && look.wetness == 0.0 && !look.moss;
 }
 
@@ -37,6 +89,7 @@ bool has_plain_bed(const paving::Look& look) { return !look.joint_fill && !look.
 
 std::string stone_texture(const paving::Pavement& pavement, const std::string& prefix, double side_mm) {
   const paving::Look& look = pavement.look;
+  if (!look.colours.colours.empty()) return own_texture(pavement, prefix, side_mm);
   if (has_plain_stones(pavement)) {
     return fmt::format("   Shatterpave_Stone(Tone, {0}_Top, {0}_Relief_Pattern, {0}_Relief_Normal, {1})\n", prefix, side_mm);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,14 +13,49 @@
 #include "core/error.h"
 #include "export/povray/glass.h"
 #include "export/povray/sdl.h"
+#include "export/povray/still_stage.h"
 #include "export/povray/stones.h"
+#include "paving/surface/ground.h"
+#include "paving/surface/stone_surface.h"
+#include "studio/world.h"
 
 namespace shatterpave::exporting::povray {
 
 namespace {
 
+// Ground that pavements lie on: a round patch.
+struct Earth {
+  vec3 middle_mm{0.0, 0.0, 0.0};
+  double radius_mm = 0.0;
+};
+
+// As low as the lowest filling of a joint, a little lower, so that no stone is buried.
+Earth earth_below(const Model& model) {
+  constexpr double clear_mm = 3.0;  // by eye
+  vec2 low(std::numeric_limits<double>::max());
+  vec2 high = -low;
+  double level_mm = std::numeric_limits<double>::max();
+  for (const PavedArea& paved : model.pavements) {
+    const paving::Pavement& pavement = paved.pavement;
+    for (const vec2& p : pavement.area.outline) {
+      const double height =
+          pavement.ground.level_mm + glm::dot(paving::fall(pavement.ground), p) - pavement.ground.settlement_mm;
+      const vec3 at = studio::placed({p, height + paving::bed_level_mm(pavement)}, pavement.placement);
+      low = glm::min(low, vec2{at.x, at.y});
+      high = glm::max(high, vec2{at.x, at.y});
+      level_mm = std::min(level_mm, at.z);
+    }
+  }
+  return {{0.5 * (low + high), level_mm - clear_mm}, 0.5 * glm::length(high - low)};
+}
+
+constexpr std::string_view own_setting = "own";
 constexpr std::string_view still_ending = "_still.pov";
 constexpr std::string_view model_mark = "//@model\n";
+// What begins and ends the parts of a template that a scene's own camera and light stand in for.
+constexpr std::string_view camera_mark = "//@camera";
+constexpr std::string_view light_mark = "//@light";
+constexpr std::string_view end_mark = "//@end";
 
 std::string setting_of(const Model& model) {
   std::string setting = !model.setting.empty() ? model.setting : (model.panes.empty() ? "path_still" : "window_still");
@@ -73,13 +109,39 @@ constexpr double glass_dispersion = 1.012;
 // By eye, on scenes/broken_window.toml: ten times as many take longer and show nothing more.
 constexpr int photons = 400'000;
 
+// "rotate … translate …" to where a thing stands in the world; empty where it is placed nowhere else.
+std::string placement_text(const studio::Placement& placement) {
+  if (placement == studio::Placement{}) return {};
+  return fmt::format(" rotate {} * y translate {}", number(-placement.turn.degrees()), lying_point(placement.at_mm));
+}
+
+template <typename Things, typename Of>
+std::vector<std::string> placement_texts(const Things& things, Of of) {
+  std::vector<std::string> texts;
+  texts.reserve(things.size());
+  for (const auto& thing : things) texts.push_back(placement_text(of(thing)));
+  return texts;
+}
+
+// What the setting "own" reads beside the rest: where things stand, and the ground below pavements.
+std::string own_text(const Model& model) {
+  std::string text =
+      choice("Still_Pane_Place(I)", placement_texts(model.panes, [](const BrokenPane& b) { return b.pane.placement; }));
+  text += choice("Still_Pavement_Place(I)",
+                 placement_texts(model.pavements, [](const PavedArea& paved) { return paved.pavement.placement; }));
+  if (model.pavements.empty()) return text;
+  const Earth earth = earth_below(model);
+  return text + fmt::format("#declare Still_Earth_Middle = {};\n#declare Still_Earth_Radius = {};\n",
+                            lying_point(earth.middle_mm), number(earth.radius_mm));
+}
+
 // What stands in the scene for the mark.
 std::string model_text(const Model& model, const std::vector<std::string>& panes, const std::vector<std::string>& pavements) {
   std::string text;
   if (model.dispersion) text += fmt::format("#declare Shatterpave_Dispersion = {};\n", glass_dispersion);
   if (model.caustics) text += fmt::format("global_settings {{ photons {{ count {} }} }}\n", photons);
-  for (const BrokenPane& broken : model.panes) text += fmt::format("#include \"{}.inc\"\n", broken.pane.name);
-  for (const PavedArea& paved : model.pavements) text += fmt::format("#include \"{}.inc\"\n", paved.pavement.name);
+  for (const BrokenPane& broken : model.panes) text += fmt::format("#include \"{}.inc\"\n", stem_of(broken));
+  for (const PavedArea& paved : model.pavements) text += fmt::format("#include \"{}.inc\"\n", stem_of(paved));
   text += fmt::format("#declare Still_Pane_Count = {};\n#declare Still_Pavement_Count = {};\n", panes.size(), pavements.size());
   text +=
       choice("Still_Pane(I)",
@@ -97,11 +159,41 @@ std::string model_text(const Model& model, const std::vector<std::string>& panes
   return text;
 }
 
-OutputFile still(const Model& model, const std::vector<std::string>& panes, const std::vector<std::string>& pavements) {
-  std::string text{embedded_text(setting_of(model) + ".pov")};
+// The template without marks. A part between marks goes where the scene has a camera or light of its own: what is called in its
+// place has the arguments that stand behind the mark; without arguments, nothing is.
+std::string staged(std::string_view pattern, const StillStage& stage) {
+  std::string text;
+  bool is_left_out = false;
+  while (!pattern.empty()) {
+    const std::size_t end = std::min(pattern.find('\n'), pattern.size() - 1) + 1;
+    const std::string_view line = pattern.substr(0, end);
+    pattern.remove_prefix(end);
+    const bool camera = line.starts_with(camera_mark);
+    if (camera || line.starts_with(light_mark)) {
+      is_left_out = camera ? stage.has_camera : stage.has_light;
+      std::string_view arguments = line.substr((camera ? camera_mark : light_mark).size());
+      arguments.remove_suffix(1);
+      if (is_left_out && !arguments.empty()) {
+        text += fmt::format("{}({})\n", camera ? "Still_Camera" : "Still_Light", arguments.substr(1));
+      }
+    } else if (line.starts_with(end_mark)) {
+      is_left_out = false;
+    } else if (!is_left_out) {
+      text += line;
+    }
+  }
+  return text;
+}
+
+OutputFile still(const Model& model, const std::vector<std::string>& panes, const std::vector<std::string>& pavements,
+                 const StillStage& stage) {
+  const std::string setting = setting_of(model);
+  std::string text = staged(embedded_text(setting + ".pov"), stage);
   const std::size_t mark = text.find(model_mark);
   ENSURE(mark != std::string::npos);
-  text.replace(mark, model_mark.size(), model_text(model, panes, pavements));
+  std::string things = model_text(model, panes, pavements);
+  if (setting == own_setting) things += own_text(model);
+  text.replace(mark, model_mark.size(), things + stage.declarations);
   return {model.name + ".pov", text};
 }
 
@@ -118,10 +210,37 @@ void append_materials(std::vector<OutputFile>& files) {
   }
 }
 
+// Of the identifiers of each thing.
+struct Prefixes {
+  std::vector<std::string> panes;
+  std::vector<std::string> pavements;
+};
+
+Prefixes prefixes_of(const Model& model) {
+  std::vector<std::string> names;
+  for (const BrokenPane& broken : model.panes) names.push_back(broken.pane.name);
+  for (const PavedArea& paved : model.pavements) names.push_back(paved.pavement.name);
+  const std::vector<std::string> prefixes = identifiers(names);
+  const auto pavements_begin = prefixes.begin() + static_cast<std::ptrdiff_t>(model.panes.size());
+  return {{prefixes.begin(), pavements_begin}, {pavements_begin, prefixes.end()}};
+}
+
+// The includes of the things that `wanted` says, by their number, panes first.
+void append_things(const Model& model, const Prefixes& prefixes, const IsShared& wanted, std::vector<OutputFile>& files) {
+  const std::size_t panes = model.panes.size();
+  for (std::size_t i = 0; i < panes; ++i) {
+    if (wanted(i)) files.push_back(pane_include(model.panes[i], prefixes.panes[i]));
+  }
+  for (std::size_t i = 0; i < model.pavements.size(); ++i) {
+    if (!wanted(panes + i)) continue;
+    std::ranges::move(pavement_files(model.pavements[i], prefixes.pavements[i], model.seed), std::back_inserter(files));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> settings() {
-  std::vector<std::string> names;
+  std::vector<std::string> names{std::string(own_setting)};
   for (const EmbeddedFile& file : embedded_files()) {
     if (file.name.ends_with(still_ending)) names.emplace_back(file.name.substr(0, file.name.size() - 4));
   }
@@ -130,20 +249,31 @@ std::vector<std::string> settings() {
 }
 
 std::vector<OutputFile> povray_files(const Model& model) {
-  std::vector<std::string> names;
-  for (const BrokenPane& broken : model.panes) names.push_back(broken.pane.name);
-  for (const PavedArea& paved : model.pavements) names.push_back(paved.pavement.name);
-  const std::vector<std::string> prefixes = identifiers(names);
-  const auto pavements_begin = prefixes.begin() + static_cast<std::ptrdiff_t>(model.panes.size());
-  const std::vector<std::string> panes(prefixes.begin(), pavements_begin);
-  const std::vector<std::string> pavements(pavements_begin, prefixes.end());
-
-  std::vector<OutputFile> files{still(model, panes, pavements)};
-  for (std::size_t i = 0; i < panes.size(); ++i) files.push_back(pane_include(model.panes[i], panes[i]));
-  for (std::size_t i = 0; i < pavements.size(); ++i) {
-    std::ranges::move(pavement_files(model.pavements[i], pavements[i], model.seed), std::back_inserter(files));
-  }
+  const Prefixes prefixes = prefixes_of(model);
+  StillStage stage = still_stage(model, setting_of(model) == own_setting);
+  std::vector<OutputFile> files{still(model, prefixes.panes, prefixes.pavements, stage)};
+  append_things(
+      model, prefixes, [](std::size_t /*thing*/) { return true; }, files);
   append_materials(files);
+  std::ranges::move(stage.files, std::back_inserter(files));
+  return files;
+}
+
+std::vector<OutputFile> frame_files(const Model& model, const IsShared& is_shared) {
+  const Prefixes prefixes = prefixes_of(model);
+  std::vector<OutputFile> files{
+      still(model, prefixes.panes, prefixes.pavements, still_stage(model, setting_of(model) == own_setting))};
+  append_things(
+      model, prefixes, [&](std::size_t thing) { return !is_shared(thing); }, files);
+  append_materials(files);
+  return files;
+}
+
+std::vector<OutputFile> shared_files(const Model& model, const IsShared& is_shared) {
+  std::vector<OutputFile> files;
+  append_things(model, prefixes_of(model), is_shared, files);
+  append_materials(files);
+  std::ranges::move(still_stage(model, setting_of(model) == own_setting).files, std::back_inserter(files));
   return files;
 }
 

@@ -6,7 +6,9 @@
 #include <iterator>
 #include <string_view>
 
+#include "export/povray/bent_glass.h"
 #include "export/povray/sdl.h"
+#include "geometry/bend.h"
 
 namespace shatterpave::exporting::povray {
 
@@ -42,7 +44,14 @@ void append_motion(std::string& text, const glass::Motion& motion) {
   text += ">\n";
 }
 
-void append_mesh(std::string& text, const glass::Shard& shard, double thickness_mm) {
+void append_mesh(std::string& text, const glass::Shard& shard, const glass::Pane& pane) {
+  const double thickness_mm = pane.thickness_mm;
+  if (const geometry::Bend bend = glass::bend_of(pane); !bend.is_flat()) {
+    text += shard_mesh_text(shard, bend, thickness_mm);
+    append_motion(text, shard.motion);
+    text += "}\n";
+    return;
+  }
   text += "mesh2 {\n";
   append_list(text, "vertex_vectors", shard.solid.vertices, [&](const geometry::LatticePoint3& vertex) {
     append_standing_point(text, glass::in_pane_mm(vertex, thickness_mm));
@@ -73,7 +82,7 @@ void append_shards(std::string& text, const BrokenPane& broken, const std::strin
   for (std::size_t i = 0; i < there.size(); ++i) {
     text += fmt::format("#macro {}_Shard_{}(Old, Broken) // {}, {}\n", prefix, i, there[i]->id,
                         there[i]->state == glass::ShardState::standing ? "standing" : "fallen");
-    append_mesh(text, *there[i], broken.pane.thickness_mm);
+    append_mesh(text, *there[i], broken.pane);
     text += "#end\n";
   }
   text += fmt::format("\n#macro {}_Shard(I, Old, Broken)\n#switch (I)\n", prefix);

@@ -120,7 +120,7 @@ StoneText stone_text(const Making& making, std::size_t index) {
   const double size_mm = std::sqrt(geometry::area(stone.outline_mm));
   StoneDraws draws = making.surface.draws(index);
   StoneText result;
-  result.tone = shapes::tone_of(draws.colour);
+  result.tone = shapes::tone_of(draws.colour) + shapes::stone_tones * std::max(0, stone.colour);
   result.wear = std::min(wear_classes - 1, static_cast<int>(making.surface.traffic(index) * wear_classes));
   const Fineness fine = fineness(pavement, centre, size_mm);
   if (!fine.chips && draws.body) draws.body->chips_per_m = 0.0;

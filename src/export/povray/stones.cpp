@@ -106,7 +106,9 @@ void append_group(std::string& text, const std::string& prefix, std::span<const 
 void append_stones(std::string& text, const std::string& prefix, const std::string& place, std::span<const StoneText> stones,
                    bool many_normals) {
   std::vector<Group> groups;
-  for (int tone = 0; tone < shapes::stone_tones; ++tone) {
+  int tones = 0;
+  for (const StoneText& stone : stones) tones = std::max(tones, stone.tone + 1);
+  for (int tone = 0; tone < tones; ++tone) {
     for (int wear = 0; wear < wear_classes; ++wear) {
       for (const bool displaced : {false, true}) {
         const Group group{tone, wear, displaced};
@@ -123,12 +125,12 @@ void append_stones(std::string& text, const std::string& prefix, const std::stri
 
 // ---- the file
 
-std::string header(const std::string& name, const std::string& prefix, std::size_t stones, const paving::Pavement& pavement) {
+std::string header(const std::string& stem, const std::string& prefix, std::size_t stones, const paving::Pavement& pavement) {
   return fmt::format(
       R"(// Persistence of Vision Ray Tracer Include File
 // File: {0}.inc
 // Vers: 3.7
-// Desc: Stone pavement "{0}": {2} stones on a bed of sand.
+// Desc: Stone pavement "{6}": {2} stones on a bed of sand.
 //       1 unit = 1 mm; y is up; the stones stand on the plane y = 0, within the outline of the pavement in x and z.
 //
 // Declares:
@@ -152,9 +154,9 @@ std::string header(const std::string& name, const std::string& prefix, std::size
 #include "shatterpave_stone.inc"
 {4}
 )",
-      name, prefix, stones,
+      stem, prefix, stones,
       pavement.look.wetness > 0.5 ? fmt::format("//    {}_Water      what stands in the low spots, a solid\n", prefix) : "",
-      uses_materials(pavement) ? "#include \"shatterpave_materials.inc\"\n" : "", pavement.ground.depth_mm);
+      uses_materials(pavement) ? "#include \"shatterpave_materials.inc\"\n" : "", pavement.ground.depth_mm, pavement.name);
 }
 
 // Pattern and normal of the relief are declared once, so that POV-Ray reads the image once and not for every tone.
@@ -195,7 +197,7 @@ std::vector<OutputFile> pavement_files(const PavedArea& paved, const std::string
   const paving::Pavement& pavement = paved.pavement;
   relief::HeightField field;
   const ReliefImage relief = relief_image(pavement, seed, field);
-  const std::string image_name = relief.png.empty() ? "" : pavement.name + "_relief.png";
+  const std::string image_name = relief.png.empty() ? "" : stem_of(paved) + "_relief.png";
   const std::vector<StoneText> stones = stone_texts(paved, seed, relief.side_mm, field.heights_mm.empty() ? nullptr : &field);
   const std::string place = ground_transform(pavement);
 
@@ -203,7 +205,7 @@ std::vector<OutputFile> pavement_files(const PavedArea& paved, const std::string
   for (const StoneText& stone : stones) length += stone.text.size() + 2 * stone.vertices.size();
   std::string text;
   text.reserve(length);
-  text += header(pavement.name, prefix, stones.size(), pavement);
+  text += header(stem_of(paved), prefix, stones.size(), pavement);
   append_bounds(text, prefix, pavement, shapes::mean_size_mm(pavement));
   text += settings(prefix, relief, image_name, pavement);
   append_stones(text, prefix, place, stones, has_many_normals(pavement));
@@ -215,7 +217,7 @@ std::vector<OutputFile> pavement_files(const PavedArea& paved, const std::string
   text += fmt::format("#version {}_Inc_Temp;\n#end\n", prefix);
 
   std::vector<OutputFile> files;
-  files.push_back({pavement.name + ".inc", std::move(text)});
+  files.push_back({stem_of(paved) + ".inc", std::move(text)});
   if (!relief.png.empty()) files.push_back({image_name, relief.png});
   return files;
 }

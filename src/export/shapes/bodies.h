@@ -14,7 +14,8 @@ namespace shatterpave::exporting::shapes {
 struct Materials {
   std::vector<Material> all;
   static constexpr std::size_t of_glass = 0;  // where there are panes: glass, broken_glass, crushed_glass
-  std::vector<std::size_t> of_pavement;       // the first of each pavement: stone_tones of stone, then joint, water
+  std::vector<std::size_t> of_pavement;       // the first of each pavement: stone_materials, then joint, water
+  std::vector<Swatch> swatches;               // that they use; pavements which look alike share theirs
 };
 Materials materials_of(const Model& model);
 

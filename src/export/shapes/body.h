@@ -1,7 +1,8 @@
 // What mesh targets are made of: bodies of triangles, each of one or more materials. None knows a format.
 //
-// All lie in one frame: millimetres, right-handed, x to the right, y up, z towards the viewer. A pane stands in it as it is
-// drawn; a pavement lies in it, its y away from the viewer (−z), its heights up.
+// All lie in one frame: millimetres, right-handed, x to the right, y up, z towards the viewer. It is that of the world
+// (studio/world.h) with y up: world's (x, y, z) is (x, z, −y) here. So a pane that is placed nowhere else stands in it as it is
+// drawn, and a pavement lies in it, its y away from the viewer (−z), its heights up.
 #pragma once
 
 #include <array>
@@ -12,6 +13,8 @@
 
 #include "core/vec.h"
 #include "export/shapes/palette.h"
+#include "export/shapes/swatch.h"
+#include "studio/world.h"
 
 namespace shatterpave::exporting::shapes {
 
@@ -30,6 +33,7 @@ struct Material {
   Substance substance = Substance::stone;
   Colour colour;  // linear, of the primaries of sRGB; of glass and water white
   float roughness = 0.5F;
+  std::optional<SwatchUse> swatch{};  // in place of colour and roughness, for targets with textures; none: colours alone
 };
 
 // Triangles are counter-clockwise as seen from outside. Normals and places in textures are one for each point.
@@ -55,6 +59,10 @@ struct Placing {
   vec3 operator()(vec3 p_mm) const { return turned(p_mm) + at_mm; }
   bool operator==(const Placing&) const = default;
 };
+// First `inner`, then `outer`.
+Placing combined(const Placing& outer, const Placing& inner);
+// Of a thing that stands somewhere in the world.
+Placing placing_of(const studio::Placement& placement);
 
 // An element of a pane or a pavement: a shard, the slab of a pane, a crack in it, a stone, the filling of the joints.
 struct Body {
@@ -62,6 +70,9 @@ struct Body {
   std::string kind;  // "pane", "crack large", "shard standing", "stone whole" …
   std::vector<Piece> pieces;
   Placing placing{};  // meshes are about their own pivot, such as the middle of a shard
+  // Its placing at each frame of the model's shot, or nothing where it is not to be seen; empty of what does not move.
+  std::vector<std::optional<Placing>> path{};
+  bool is_seen = true;  // where no frame is asked for
   // The same for bodies of a thing that are alike but for their placing; only the first of them has its pieces here.
   std::optional<std::size_t> shared{};
 };

@@ -1,6 +1,10 @@
 #include "export/shapes/mesh_parts.h"
 
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
 
 #include "geometry/triangulation.h"
 
@@ -63,9 +67,38 @@ void append(Mesh& mesh, const Mesh& more) {
   for (const std::uint32_t corner : more.triangles) mesh.triangles.push_back(first + corner);
 }
 
+Mesh welded(const Mesh& mesh) {
+  // 0.1 µm, a thousandth of a unit vector, and 1 µm.
+  constexpr std::array steps = {1e4, 1e3, 1e6};
+  std::map<std::array<std::int64_t, 8>, std::uint32_t> known;
+  std::vector<std::uint32_t> numbers(mesh.points_mm.size());
+  Mesh result;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const vec3& p = mesh.points_mm[i];
+    const vec3& n = mesh.normals[i];
+    const vec2& uv = mesh.uv_m[i];
+    const std::array<std::int64_t, 8> key{std::llround(steps[0] * p.x),  std::llround(steps[0] * p.y),
+                                          std::llround(steps[0] * p.z),  std::llround(steps[1] * n.x),
+                                          std::llround(steps[1] * n.y),  std::llround(steps[1] * n.z),
+                                          std::llround(steps[2] * uv.x), std::llround(steps[2] * uv.y)};
+    const auto [found, is_new] = known.try_emplace(key, static_cast<std::uint32_t>(result.points_mm.size()));
+    if (is_new) append_point(result, p, n, uv);
+    numbers[i] = found->second;
+  }
+  result.triangles.reserve(mesh.triangles.size());
+  for (const std::uint32_t corner : mesh.triangles) result.triangles.push_back(numbers[corner]);
+  return result;
+}
+
 Mesh upright_cap(const geometry::Region& region, double z_mm) {
   Mesh mesh;
   append_cap(mesh, region, z_mm, true);
+  return mesh;
+}
+
+Mesh upright_sides(const geometry::Polygon& outline, double low_mm, double high_mm) {
+  Mesh mesh;
+  append_sides(mesh, outline, low_mm, high_mm);
   return mesh;
 }
 

@@ -15,7 +15,7 @@ namespace shatterpave::exporting::shapes {
 
 namespace {
 
-using paving::Material;
+using Stone = paving::Material;
 
 // The quarry of templates/includes/shatterpave_stone.inc: greys from cold to warm, some of them rusty, after granite setts.
 constexpr std::array<Colour, 7> quarry = {{{0.205F, 0.205F, 0.215F},
@@ -82,6 +82,12 @@ constexpr std::array<Stop, 3> moss = {
 constexpr float wet_dark = 0.48F;
 constexpr float wet_roughness = 0.16F;
 
+// By how much the roughest tone of a material is rougher than the smoothest.
+constexpr float rougher = 0.12F;
+
+constexpr Colour rusty_vein{0.72F, 0.58F, 0.42F};
+constexpr Colour white_vein{1.22F, 1.24F, 1.26F};
+
 struct Traits {
   std::span<const Stop> minerals;
   double mineral_mm;
@@ -89,19 +95,19 @@ struct Traits {
   float roughness;
 };
 
-Traits traits(Material material) {
+Traits traits(Stone material) {
   switch (material) {
-    case Material::setts:
+    case Stone::setts:
       break;
-    case Material::granite:
+    case Stone::granite:
       return {granite_minerals, 2.6, 0.0, 0.56F};
-    case Material::basalt:
+    case Stone::basalt:
       return {basalt_minerals, 1.6, 45.0, 0.52F};
-    case Material::sandstone:
+    case Stone::sandstone:
       return {sandstone_grains, 1.0, 30.0, 0.80F};
-    case Material::limestone:
+    case Stone::limestone:
       return {limestone_grains, 2.0, 32.0, 0.66F};
-    case Material::brick:
+    case Stone::brick:
       return {brick_grains, 1.8, 60.0, 0.84F};
   }
   return {sett_minerals, 1.6, 0.0, 0.56F};
@@ -134,27 +140,27 @@ Colour sett_colour(Tone tone) {
   return quarry.at(step * 3 % quarry.size()) * static_cast<float>(light);
 }
 
-Colour colour_of(Material material, Tone tone) {
+Colour colour_of(Stone material, Tone tone) {
   const float first = tone.part(1);
   const float second = tone.part(2);
   switch (material) {
-    case Material::setts:
+    case Stone::setts:
       return sett_colour(tone);
-    case Material::granite:
+    case Stone::granite:
       return mixed(mixed({0.34F, 0.335F, 0.33F}, {0.44F, 0.425F, 0.40F}, first), {0.46F, 0.36F, 0.30F},
                    0.55F * second * second) *
              (0.82F + 0.34F * tone.part(7));
-    case Material::basalt:
+    case Stone::basalt:
       return mixed({0.070F, 0.072F, 0.078F}, {0.115F, 0.112F, 0.106F}, first) * (0.80F + 0.45F * second);
-    case Material::sandstone:
+    case Stone::sandstone:
       return mixed(mixed({0.44F, 0.33F, 0.205F}, {0.37F, 0.31F, 0.235F}, first), {0.36F, 0.215F, 0.14F},
                    0.85F * second * second * std::sqrt(second)) *
              (0.82F + 0.34F * tone.part(7));
-    case Material::limestone:
+    case Stone::limestone:
       return mixed(mixed({0.50F, 0.445F, 0.36F}, {0.47F, 0.44F, 0.395F}, first), {0.42F, 0.355F, 0.26F},
                    0.8F * second * second) *
              (0.84F + 0.26F * tone.part(7));
-    case Material::brick:
+    case Stone::brick:
       return mixed(mixed({0.34F, 0.125F, 0.070F}, {0.27F, 0.115F, 0.085F}, first), {0.40F, 0.22F, 0.12F},
                    0.6F * second * second * second) *
              (0.66F + 0.52F * tone.part(7));
@@ -163,25 +169,26 @@ Colour colour_of(Material material, Tone tone) {
 }
 
 // What the clouds of a material make of its colour.
-Colour clouded(Material material, const StoneLook& stone, const Place& place) {
+Colour clouded(Stone material, const StoneLook& stone, const Place& place) {
   const Colour& own = stone.colour;
   switch (material) {
-    case Material::setts:
-    case Material::granite:
+    case Stone::setts:
+    case Stone::granite:
       return own;
-    case Material::basalt:
+    case Stone::basalt:
       return mixed(own, own * Colour{1.45F, 1.42F, 1.35F}, 0.5F * std::clamp(0.5F + 0.7F * place.cloud, 0.0F, 1.0F));
-    case Material::sandstone: {
-      const double at = glm::dot(place.from_centre_mm, stone.beds_per_mm) + 0.30 * static_cast<double>(place.cloud);
+    case Stone::sandstone: {
+      const double at = glm::dot(place.from_centre_mm, stone.beds_per_mm) + 0.30 * static_cast<double>(place.cloud) +
+                        static_cast<double>(place.bend);
       return own * between_stops(beds, static_cast<float>(at - std::floor(at)));
     }
-    case Material::limestone: {
+    case Stone::limestone: {
       const Colour base = own * (1.0F + 0.09F * std::clamp(place.cloud, -1.6F, 1.6F));
       // Veins run where the clouds, frayed by the grain, pass through 0.4.
       const float off = std::abs(place.cloud + 0.10F * place.grain - 0.4F);
       return mixed(stone.vein, base, std::clamp((off - 0.03F) / 0.06F, 0.0F, 1.0F));
     }
-    case Material::brick:
+    case Stone::brick:
       return mixed(own, own * Colour{0.52F, 0.50F, 0.62F}, 0.62F * std::clamp(0.35F + 0.6F * place.cloud, 0.0F, 1.0F));
   }
   return own;
@@ -196,6 +203,13 @@ float moss_of(const paving::Look& look) {
 
 }  // namespace
 
+namespace {
+
+// IEC 61966-2-1.
+float linear(double srgb) { return static_cast<float>(srgb <= 0.04045 ? srgb / 12.92 : power((srgb + 0.055) / 1.055, 2.4)); }
+
+}  // namespace
+
 Colour mixed(const Colour& a, const Colour& b, float part) {
   return {a.red + part * (b.red - a.red), a.green + part * (b.green - a.green), a.blue + part * (b.blue - a.blue)};
 }
@@ -204,21 +218,57 @@ Palette::Palette(const paving::Look& look)
     : material_(look.material),
       mortar_(look.joint_fill && *look.joint_fill == paving::JointFill::mortar),
       moss_(moss_of(look)),
-      damp_(static_cast<float>(std::min(1.0, 2.0 * look.wetness))) {}
+      damp_(static_cast<float>(std::min(1.0, 2.0 * look.wetness))) {
+  for (const vec3& srgb : look.colours.colours) {
+    own_.push_back({linear(srgb.x), linear(srgb.y), linear(srgb.z)});
+  }
+}
 
 double Palette::mineral_mm() const { return traits(material_).mineral_mm; }
 double Palette::cloud_mm() const { return traits(material_).cloud_mm; }
 
-StoneLook Palette::stone(double colour) const {
+StoneLook Palette::stone(double colour, int own) const {
   const Tone tone{shapes::tone_of(colour)};
   StoneLook look;
-  look.colour = colour_of(material_, tone);
-  look.roughness = traits(material_).roughness + 0.12F * static_cast<float>(colour);
+  look.colour = own >= 0 ? own_.at(static_cast<std::size_t>(own)) : colour_of(material_, tone);
+  look.roughness = traits(material_).roughness + rougher * static_cast<float>(colour);
   look.beds_per_mm = Angle::degrees(180.0 * tone.draw(4)).direction() / (16.0 + 34.0 * tone.draw(3));
   const float kind = tone.part(5);  // a third without veins, a third rusty, a third of white spar
-  look.vein =
-      kind < 0.33F ? look.colour : look.colour * (kind < 0.7F ? Colour{0.72F, 0.58F, 0.42F} : Colour{1.22F, 1.24F, 1.26F});
+  look.vein = kind < 0.33F ? look.colour : vein(look.colour, kind < 0.7F ? 0.0F : 1.0F);
   return look;
+}
+
+Colour Palette::vein(const Colour& stone, float spar) { return stone * mixed(rusty_vein, white_vein, spar); }
+
+// Over the grey of a swatch: the tints of all tones stay below 1, and lighter minerals and polish below 1 as well, but for the
+// glints of brick.
+float Palette::brightest() const {
+  float most = 0.0F;
+  for (int tone = 0; tone < stone_tones; ++tone) {
+    const Colour own = colour_of(material_, {tone});
+    most = std::max({most, own.red, own.green, own.blue});
+  }
+  for (const Colour& own : own_) most = std::max({most, own.red, own.green, own.blue});
+  constexpr float least = 0.4F;
+  return std::max(least, most);
+}
+
+StoneLook Palette::swatch_stone(double side_mm) const {
+  // Flat beds, about 33 mm apart.
+  constexpr double bed_mm = 33.0;
+  const float light = brightest();
+  StoneLook look;
+  look.colour = {light, light, light};
+  look.roughness = traits(material_).roughness + rougher;
+  look.beds_per_mm = vec2{std::round(side_mm / 500.0), std::round(side_mm / bed_mm)} / side_mm;
+  look.vein = look.colour;
+  return look;
+}
+
+Colour Palette::tint(const StoneLook& stone) const { return stone.colour * (1.0F / brightest()); }
+
+float Palette::roughness_part(const StoneLook& stone) const {
+  return stone.roughness / (traits(material_).roughness + rougher);
 }
 
 // Moss grows in patches, of which there are more the more of it there is: at 1 nine tenths of the ground.

@@ -2,6 +2,8 @@
 // target (templates/includes/shatterpave_materials.inc): a stone has there and here the same colour of its own.
 #pragma once
 
+#include <vector>
+
 #include "core/vec.h"
 #include "paving/pavement.h"
 
@@ -27,6 +29,7 @@ struct Place {
   float cloud = 0.0F;   // the same, `cloud_mm` wide
   float rise = 1.0F;    // height over that of the highest stone; below 0.5 stones are stained by what lies in the joints
   float patch = 0.0F;   // of what grows here and there, of rms 1
+  float bend = 0.0F;    // by how many beds those of the stone are moved here
   vec2 from_centre_mm{0.0, 0.0};
 };
 
@@ -48,11 +51,23 @@ class Palette {
  public:
   explicit Palette(const paving::Look& look);
 
-  // Of a stone that drew `colour`, 0 … 1: one of the tones that the POV-Ray target knows.
-  StoneLook stone(double colour) const;
+  // Of a stone that drew `colour`, 0 … 1: one of the tones that the POV-Ray target knows. `own`, if it is not −1: which of the
+  // user's own colours it has.
+  StoneLook stone(double colour, int own = -1) const;
   Colour stone_colour(const StoneLook& stone, const Place& place) const;
   // 0 is a mirror, 1 is chalk: feet polish what stands out of a stone, and water lies over all.
   float stone_roughness(const StoneLook& stone, const Place& place) const;
+
+  // For swatches, which all tones share: a stone of the lightest grey whose colours are 1 at most, so that times `tint` of a
+  // tone it has that tone's colours; and as rough as the roughest tone, so that it is the same with `roughness_part`. Its beds
+  // cross a square of `side_mm` a whole number of times.
+  StoneLook swatch_stone(double side_mm) const;
+  Colour tint(const StoneLook& stone) const;
+  float roughness_part(const StoneLook& stone) const;
+  // The vein of a stone of that colour: 0 is rusty, 1 of white spar.
+  static Colour vein(const Colour& stone, float spar);
+  // The same for the joints: times `joint_tint` the colours of a swatch are those of `bed_colour`.
+  static constexpr float joint_tint = 0.4F;
 
   // What is below standing water looks so, and the water's own surface is as smooth as that.
   static Colour under_water(const Colour& colour);
@@ -68,11 +83,13 @@ class Palette {
 
  private:
   float mossy(float patch) const;
+  float brightest() const;
 
   paving::Material material_;
   bool mortar_;
   float moss_;  // 0 … 1
   float damp_;  // 0 … 1
+  std::vector<Colour> own_;
 };
 
 }  // namespace shatterpave::exporting::shapes

@@ -7,6 +7,7 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -16,10 +17,13 @@
 #include "export/shapes/mesh_parts.h"
 #include "export/shapes/stone_mesh.h"
 #include "export/shapes/stone_relief.h"
+#include "export/shapes/swatch.h"
 #include "export/shapes/tones.h"
+#include "export/shapes/unrolling.h"
 #include "geometry/clip.h"
 #include "geometry/region_index.h"
 #include "paving/surface/laid_surface.h"
+#include "paving/surface/wear.h"
 
 namespace shatterpave::exporting::shapes {
 
@@ -29,34 +33,31 @@ constexpr std::size_t bodies_at_once = 1024;
 
 // ---- places in textures
 
-// A texture is thought of as a square of this side that repeats, with places for stones to begin on a grid of so many by so
-// many: 64 in all.
-constexpr double swatch_m = 1.0;
-constexpr int places_aside = 8;
 constexpr int place_count = places_aside * places_aside;
 
-vec2 place_m(int place) {
-  constexpr double step = swatch_m / places_aside;
+vec2 place_m(int place, double side_m) {
+  const double step = side_m / places_aside;
   const int column = place % places_aside;
   const int row = place / places_aside;
   return {step * static_cast<double>(column), step * static_cast<double>(row)};
 }
 
 // By how much two stretches of a swatch have something in common, along one of its sides.
-double common(double a, double a_length, double b, double b_length) {
-  const double ahead = b - a - swatch_m * std::floor((b - a) / swatch_m);
-  return std::max({0.0, std::min(a_length - ahead, b_length), std::min(b_length - (swatch_m - ahead), a_length)});
+double common(double a, double a_length, double b, double b_length, double side_m) {
+  const double ahead = b - a - side_m * std::floor((b - a) / side_m);
+  return std::max({0.0, std::min(a_length - ahead, b_length), std::min(b_length - (side_m - ahead), a_length)});
 }
 
+// What a stone shows: about its place.
 struct Window {
   vec2 size_m{0.0, 0.0};
   int place = 0;
 };
 
-double common(const Window& a, const Window& b) {
-  const vec2 p = place_m(a.place);
-  const vec2 q = place_m(b.place);
-  return common(p.x, a.size_m.x, q.x, b.size_m.x) * common(p.y, a.size_m.y, q.y, b.size_m.y);
+double common(const Window& a, const Window& b, double side_m) {
+  const vec2 p = place_m(a.place, side_m) - 0.5 * a.size_m;
+  const vec2 q = place_m(b.place, side_m) - 0.5 * b.size_m;
+  return common(p.x, a.size_m.x, q.x, b.size_m.x, side_m) * common(p.y, a.size_m.y, q.y, b.size_m.y, side_m);
 }
 
 namespace bg = boost::geometry;
@@ -67,9 +68,30 @@ bg::model::box<BoxPoint> box_of(const geometry::Box& box, double more_mm) {
   return {{box.low.x - more_mm, box.low.y - more_mm}, {box.high.x + more_mm, box.high.y + more_mm}};
 }
 
+// Whether two stones come within `near_mm` of one another, as far as the boxes along their axes tell.
+bool are_near(const paving::Stone& a, const paving::Stone& b, double near_mm) {
+  const auto overlap_along = [&](vec2 axis) {
+    const auto range = [&](const geometry::Polygon& outline) {
+      double low = std::numeric_limits<double>::infinity();
+      double high = -low;
+      for (const vec2& p : outline) {
+        low = std::min(low, glm::dot(p, axis));
+        high = std::max(high, glm::dot(p, axis));
+      }
+      return std::pair(low, high);
+    };
+    const auto [a_low, a_high] = range(a.outline_mm);
+    const auto [b_low, b_high] = range(b.outline_mm);
+    return a_low <= b_high + near_mm && b_low <= a_high + near_mm;
+  };
+  const vec2 d = a.angle.direction();
+  const vec2 e = b.angle.direction();
+  return overlap_along(d) && overlap_along(left_of(d)) && overlap_along(e) && overlap_along(left_of(e));
+}
+
 // For each stone where its texture begins: of the places in an order that it draws, the first whose part of the texture none of
 // its neighbours before it shows, or else the one of which they show least.
-std::vector<int> texture_places(const PavedArea& paved, std::uint64_t seed) {
+std::vector<int> texture_places(const PavedArea& paved, double side_m, std::uint64_t seed) {
   const auto& stones = paved.layout.stones;
   std::vector<geometry::Box> boxes(stones.size());
   std::vector<Window> windows(stones.size());
@@ -85,7 +107,8 @@ std::vector<int> texture_places(const PavedArea& paved, std::uint64_t seed) {
       for (const vec2& p : stones[i].outline_mm) {
         most = glm::max(most, vec2{std::abs(glm::dot(p - centre, along)), std::abs(cross(along, p - centre))});
       }
-      windows[i].size_m = {metres(2.0 * most.x), metres(2.0 * most.y)};
+      const double more = folded_mm(paved.pavement);
+      windows[i].size_m = {metres(2.0 * (most.x + more)), metres(2.0 * (most.y + more))};
     }
   });
   const bg::index::rtree<StoneBox, bg::index::rstar<16>> index(entries);
@@ -95,7 +118,8 @@ std::vector<int> texture_places(const PavedArea& paved, std::uint64_t seed) {
   for (std::size_t i = 0; i < stones.size(); ++i) {
     near.clear();
     index.query(bg::index::intersects(box_of(boxes[i], near_mm)), std::back_inserter(near));
-    std::erase_if(near, [&](const StoneBox& other) { return other.second >= i; });
+    std::erase_if(
+        near, [&](const StoneBox& other) { return other.second >= i || !are_near(stones[i], stones[other.second], near_mm); });
     const Address address{Stream::stone_relief, id.child(static_cast<std::uint64_t>(stones[i].id))};
     const int first = static_cast<int>(uniform(seed, address) * place_count);
     double least = -1.0;
@@ -103,7 +127,7 @@ std::vector<int> texture_places(const PavedArea& paved, std::uint64_t seed) {
       // 29 and 64 have no divisor in common, so that all places come, and neighbours in the order lie apart.
       Window window{windows[i].size_m, (first + 29 * k) % place_count};
       double shown = 0.0;
-      for (const StoneBox& other : near) shown += common(window, windows[other.second]);
+      for (const StoneBox& other : near) shown += common(window, windows[other.second], side_m);
       if (least >= 0.0 && shown >= least) continue;
       least = shown;
       windows[i].place = window.place;
@@ -115,12 +139,12 @@ std::vector<int> texture_places(const PavedArea& paved, std::uint64_t seed) {
 
 // ---- stones
 
-// Parts of the face of a stone along a side; by eye: from a stone's length away no corner shows.
-constexpr double parts_of_a_side = 5.0;
+// Parts of a stone along a side; by eye: from a stone's length away no corner shows of a dome, or of a face, which is nearly
+// flat.
+constexpr double parts_of_a_dome = 5.0;
+constexpr double parts_of_a_face = 3.0;
 // Half of a right angle each: an arris of two facets with smooth normals looks round.
 constexpr std::size_t least_parts = 2;
-// The length of a quarter circle over its radius, less the radius that is seen from above.
-constexpr double arc_over = 0.5 * pi - 1.0;
 
 vec3 lying(vec3 p) { return {p.x, p.z, -p.y}; }
 
@@ -141,7 +165,8 @@ class StoneBodies {
       : paved_(paved),
         first_material_(first_material),
         surface_(paved.pavement, paved.layout.stones, seed),
-        places_(texture_places(paved, seed)),
+        side_m_(swatch_side_m(paved)),
+        places_(texture_places(paved, side_m_, seed)),
         slope_(paving::fall(paved.pavement.ground)) {
     if (paved.pavement.detail && paved.pavement.detail->close_mm > 0.0 && paved.pavement.relief.rms_mm > 0.0) {
       relief_ = stone_relief_heights(paved.pavement, seed);
@@ -182,49 +207,41 @@ class StoneBodies {
  private:
   double level_mm(vec2 at) const { return paved_.pavement.ground.level_mm + glm::dot(slope_, at); }
 
+  // With its relief near the viewer, else as it is seen from farther off.
+  StoneMesh mesh(const std::vector<geometry::BezierPatch>& patches, const paving::StoneDraws& draws, vec2 centre,
+                 double size_mm) const {
+    const auto& detail = paved_.pavement.detail;
+    if (!detail || glm::length(centre - detail->viewer_mm) > detail->close_mm) {
+      const bool is_dome = paved_.pavement.body.finish == paving::Finish::none;
+      return level_mesh(patches, size_mm / (is_dome ? parts_of_a_dome : parts_of_a_face), least_parts);
+    }
+    const ReliefWindow window{relief_ ? &*relief_ : nullptr, draws.relief_place, centre, relief_side_mm_, draws.relief};
+    return displaced(patches, window, detail->mesh_mm);
+  }
+
   // The mesh about the middle of the stone, its axis along x.
   Piece piece(std::size_t i, vec2 centre) const {
     const paving::Stone& stone = paved_.layout.stones[i];
-    const paving::Pavement& pavement = paved_.pavement;
-    const double size_mm = std::sqrt(geometry::area(stone.outline_mm));
     const paving::StoneDraws draws = surface_.draws(i);
     const auto patches = surface_.patches(i, draws);
-    const double top_mm = geometry::height_at(patches, centre);
-    ReliefWindow window{nullptr, draws.relief_place, centre, relief_side_mm_, draws.relief};
-    double step_mm = size_mm / parts_of_a_side;
-    std::size_t least = least_parts;
-    if (pavement.detail && glm::length(centre - pavement.detail->viewer_mm) <= pavement.detail->close_mm) {
-      window.field = relief_ ? &*relief_ : nullptr;
-      step_mm = pavement.detail->mesh_mm;
-      least = 4;
-    }
-    const StoneMesh made = displaced(patches, window, step_mm, least);
-    Piece piece{first_material_ + static_cast<std::size_t>(tone_of(draws.colour)), {}};
+    const StoneMesh made = mesh(patches, draws, centre, std::sqrt(geometry::area(stone.outline_mm)));
+    Piece piece{first_material_ + material_of(stone, draws.colour), {}};
     const vec2 along = stone.angle.direction();
-    const vec2 offset = place_m(places_[i]);
-    // Without a finish a stone is a dome, which has no sides.
-    const bool has_sides = pavement.body.finish != paving::Finish::none;
+    const vec2 offset = place_m(places_[i], side_m_);
+    const std::vector<vec2> sheet = unrolled(made);
     for (std::size_t v = 0; v < made.vertices.size(); ++v) {
       const vec3& p = made.vertices[v];
       const vec3& n = made.normals[v];
       const vec2 from = vec2{p.x, p.y} - centre;
       const vec3 own{glm::dot(from, along), cross(along, from), p.z + glm::dot(slope_, from)};
       const vec3 turned{glm::dot(vec2{n.x, n.y}, along), cross(along, vec2{n.x, n.y}), n.z};
+      const vec2 rolled = sheet[v] - centre;
       append_point(piece.mesh, lying(own), lying(turned),
-                   offset + unrolled(own, turned, has_sides ? top_mm - p.z : 0.0, pavement.body.arris_mm));
+                   offset + vec2{metres(glm::dot(rolled, along)), metres(cross(along, rolled))});
     }
     piece.mesh.triangles = made.triangles;
+    piece.mesh = welded(piece.mesh);
     return piece;
-  }
-
-  // Places on the sides are folded out about the edge of the face, so that the texture is not drawn out along them.
-  static vec2 unrolled(vec3 own, vec3 normal, double drop_mm, double arris_mm) {
-    const vec2 place{metres(own.x), metres(own.y)};
-    const vec2 out{normal.x, normal.y};
-    const double lean = glm::length(out);
-    if (lean < 0.2 || drop_mm <= 0.0) return place;
-    const double more = arc_over * std::min(drop_mm, arris_mm) + std::max(0.0, drop_mm - arris_mm);
-    return place + metres(more) * (out / lean);
   }
 
   // Finds stones that are alike but for where they lie. What makes each different, wear and ground, is left out where there is
@@ -233,44 +250,63 @@ class StoneBodies {
     const paving::Pavement& pavement = paved_.pavement;
     if (pavement.detail || pavement.body.wear_mm > 0.0 || !surface_.is_level() || slope_ != vec2{0.0, 0.0}) return;
     const auto& stones = paved_.layout.stones;
-    std::vector<std::vector<vec2>> shapes;
+    const geometry::RegionIndex area(pavement.area);
+    std::vector<Shape> shapes;
     std::map<std::pair<std::size_t, int>, std::size_t> first;
     owner_.resize(stones.size());
     is_shared_.assign(stones.size(), false);
     for (std::size_t i = 0; i < stones.size(); ++i) {
       owner_[i] = i;
-      if (stones[i].kind != paving::StoneKind::whole) continue;
-      const auto shape = shape_of(stones[i], shapes);
-      if (!shape) continue;
-      owner_[i] = first.try_emplace({*shape, places_[i]}, i).first->second;
+      const auto number = number_in(shapes, shape_of(stones[i], paving::sawn_sides(stones[i], pavement, area)));
+      if (!number) continue;
+      owner_[i] = first.try_emplace({*number, places_[i]}, i).first->second;
       if (owner_[i] != i) is_shared_[owner_[i]] = true;
     }
   }
 
-  // The number of the first shape that is the stone's, or of a new one; nothing where there are too many.
-  static std::optional<std::size_t> shape_of(const paving::Stone& stone, std::vector<std::vector<vec2>>& shapes) {
-    const vec2 centre = geometry::centroid(stone.outline_mm);
-    const vec2 along = stone.angle.direction();
+  // A stone about its middle, its axis along x.
+  struct Shape {
     std::vector<vec2> corners;
-    for (const vec2& p : stone.outline_mm) corners.emplace_back(glm::dot(p - centre, along), cross(along, p - centre));
-    // From the lowest of the left ones, however the outline begins.
-    const auto is_before = [](vec2 a, vec2 b) { return std::pair(a.x < 0.0, -a.y) > std::pair(b.x < 0.0, -b.y); };
-    std::rotate(corners.begin(), std::ranges::min_element(corners, is_before), corners.end());
-    const auto same = [&](const std::vector<vec2>& other) {
-      return other.size() == corners.size() && std::ranges::equal(other, corners, [](vec2 a, vec2 b) {
+    std::vector<bool> sawn;  // the side from each corner to the next
+
+    bool is_like(const Shape& other) const {
+      return sawn == other.sawn && std::ranges::equal(corners, other.corners, [](vec2 a, vec2 b) {
                return std::abs(a.x - b.x) <= alike_mm && std::abs(a.y - b.y) <= alike_mm;
              });
-    };
-    const auto found = std::ranges::find_if(shapes, same);
+    }
+  };
+
+  static Shape shape_of(const paving::Stone& stone, const paving::IsSawn& is_sawn) {
+    const vec2 centre = geometry::centroid(stone.outline_mm);
+    const vec2 along = stone.angle.direction();
+    const geometry::Polygon& outline = stone.outline_mm;
+    Shape shape;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const vec2& p = outline[k];
+      shape.corners.emplace_back(glm::dot(p - centre, along), cross(along, p - centre));
+      shape.sawn.push_back(is_sawn && is_sawn(p, outline[(k + 1) % outline.size()]));
+    }
+    // From the lowest of the left ones, however the outline begins.
+    const auto is_before = [](vec2 a, vec2 b) { return std::pair(a.x < 0.0, -a.y) > std::pair(b.x < 0.0, -b.y); };
+    const auto least = std::ranges::min_element(shape.corners, is_before) - shape.corners.begin();
+    std::rotate(shape.corners.begin(), shape.corners.begin() + least, shape.corners.end());
+    std::rotate(shape.sawn.begin(), shape.sawn.begin() + least, shape.sawn.end());
+    return shape;
+  }
+
+  // The number of the first shape that is like it, or of a new one; nothing where there are too many.
+  static std::optional<std::size_t> number_in(std::vector<Shape>& shapes, Shape shape) {
+    const auto found = std::ranges::find_if(shapes, [&](const Shape& other) { return other.is_like(shape); });
     if (found != shapes.end()) return static_cast<std::size_t>(found - shapes.begin());
     if (shapes.size() >= most_shapes) return std::nullopt;
-    shapes.push_back(std::move(corners));
+    shapes.push_back(std::move(shape));
     return shapes.size() - 1;
   }
 
   const PavedArea& paved_;
   std::size_t first_material_;
   paving::LaidSurface surface_;
+  double side_m_;  // of the swatch
   std::vector<int> places_;
   vec2 slope_;
   std::optional<relief::HeightField> relief_;
@@ -343,7 +379,7 @@ void append_stones(const PavedArea& paved, std::size_t first_material, std::uint
     });
     for (Body& body : bodies) take(std::move(body));
   }
-  const std::size_t joint = first_material + stone_tones;
+  const std::size_t joint = first_material + stone_materials(paved.pavement);
   take({pavement.name + ".joints", "joints", {{joint, laid_down(filling(pavement, seed), pavement.ground)}}});
   if (pavement.look.wetness <= 0.5) return;
   const auto water = paving::water_level_mm(pavement.look, stones.face_heights());

@@ -9,7 +9,7 @@
 
 namespace shatterpave::exporting::shapes {
 
-//   first_material  of the pavement's stone_tones + 2
+//   first_material  of the pavement's stone_materials + 2
 //   seed            of the scene
 void append_stones(const PavedArea& paved, std::size_t first_material, std::uint64_t seed, const TakeBody& take);
 

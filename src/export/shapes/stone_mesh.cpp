@@ -31,9 +31,27 @@ bool same(const vec3& a, const vec3& b) {
   return std::abs(a.x - b.x) < hairline_mm && std::abs(a.y - b.y) < hairline_mm;
 }
 
+// Whether all lines of the patch along u, or else along v, are straight and evenly run through.
+bool is_straight(const BezierPatch& patch, bool along_u) {
+  constexpr double hardly_mm = 0.005;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto point = [&](std::size_t step) { return along_u ? patch.at(step, k) : patch.at(k, step); };
+    for (const std::size_t step : {std::size_t{1}, std::size_t{2}}) {
+      const double part = static_cast<double>(step) / 3.0;
+      if (glm::length(point(step) - (point(0) + part * (point(3) - point(0)))) > hardly_mm) return false;
+    }
+  }
+  return true;
+}
+
+struct Fineness {
+  double step_mm = 1.0;
+  std::size_t least_parts = 1;     // of what is divided
+  bool is_straight_whole = false;  // what is straight is not
+};
+
 // For each patch the parts along u and along v.
-std::vector<std::array<std::size_t, 2>> divisions(const std::vector<BezierPatch>& patches, double step_mm,
-                                                  std::size_t least_parts) {
+std::vector<std::array<std::size_t, 2>> divisions(const std::vector<BezierPatch>& patches, const Fineness& fineness) {
   const std::size_t border_count = 4 * patches.size();
   DisjointSets classes(border_count);  // of borders that are divided alike
   for (std::size_t i = 0; i < patches.size(); ++i) {
@@ -55,9 +73,15 @@ std::vector<std::array<std::size_t, 2>> divisions(const std::vector<BezierPatch>
     double& longest = lengths[classes.of(a)];
     longest = std::max(longest, glm::length(to - from));
   }
+  std::vector<bool> divided(border_count, !fineness.is_straight_whole);
+  for (std::size_t a = 0; a < border_count; ++a) {
+    if (!is_straight(patches[a / 4], a % 2 == 0)) divided[classes.of(a)] = true;
+  }
   std::vector<std::array<std::size_t, 2>> counts(patches.size());
   const auto parts = [&](std::size_t border) {
-    return std::max(least_parts, static_cast<std::size_t>(std::ceil(lengths[classes.of(border)] / step_mm)));
+    const std::size_t of_class = classes.of(border);
+    if (!divided[of_class]) return std::size_t{1};
+    return std::max(fineness.least_parts, static_cast<std::size_t>(std::ceil(lengths[of_class] / fineness.step_mm)));
   };
   for (std::size_t i = 0; i < patches.size(); ++i) counts[i] = {parts(4 * i), parts(4 * i + 1)};
   return counts;
@@ -104,12 +128,15 @@ void append_patch(StoneMesh& mesh, const BezierPatch& patch, std::array<std::siz
       const double v = static_cast<double>(j) / static_cast<double>(parts[1]);
       vec3 p = geometry::point(patch, u, v);
       const vec3 normal = glm::normalize(glm::cross(derivative_u(patch, u, v), derivative_v(patch, u, v)));
+      mesh.bare.push_back(p);
+      mesh.bare_normals.push_back(normal);
       const Lift lifted = lift(window, {p.x, p.y});
       p.z += lifted.height;
       mesh.vertices.push_back(p);
       mesh.normals.push_back(glm::normalize(normal - normal.z * vec3{lifted.slope.x, lifted.slope.y, 0.0}));
     }
   }
+  mesh.grids.push_back({first, parts[0], parts[1]});
   const auto at = [&](std::size_t i, std::size_t j) { return first + static_cast<std::uint32_t>(i * (parts[1] + 1) + j); };
   for (std::size_t i = 0; i < parts[0]; ++i) {
     for (std::size_t j = 0; j < parts[1]; ++j) {
@@ -120,14 +147,22 @@ void append_patch(StoneMesh& mesh, const BezierPatch& patch, std::array<std::siz
   }
 }
 
+StoneMesh made(const std::vector<BezierPatch>& patches, const ReliefWindow& window, const Fineness& fineness) {
+  const auto counts = divisions(patches, fineness);
+  StoneMesh mesh;
+  for (std::size_t i = 0; i < patches.size(); ++i) append_patch(mesh, patches[i], counts[i], window);
+  return mesh;
+}
+
 }  // namespace
 
 StoneMesh displaced(const std::vector<BezierPatch>& patches, const ReliefWindow& window, double step_mm,
                     std::size_t least_parts) {
-  const auto counts = divisions(patches, step_mm, least_parts);
-  StoneMesh mesh;
-  for (std::size_t i = 0; i < patches.size(); ++i) append_patch(mesh, patches[i], counts[i], window);
-  return mesh;
+  return made(patches, window, {step_mm, least_parts, false});
+}
+
+StoneMesh level_mesh(const std::vector<BezierPatch>& patches, double step_mm, std::size_t least_parts) {
+  return made(patches, {}, {step_mm, least_parts, true});
 }
 
 StoneMesh prism(const Polygon& outline, const std::vector<BezierPatch>& patches, double arris_mm) {

@@ -14,6 +14,17 @@ struct StoneMesh {
   std::vector<vec3> vertices;            // mm
   std::vector<vec3> normals;             // of unit length, one for each vertex; none for flat triangles
   std::vector<std::uint32_t> triangles;  // three indices each, counter-clockwise seen from above
+
+  // A patch's vertices, row by row: the vertex (i, j) is first + i * (columns + 1) + j.
+  struct Grid {
+    std::uint32_t first = 0;
+    std::size_t rows = 0;     // of squares, along u
+    std::size_t columns = 0;  // along v
+  };
+  // Of what is displaced: where its vertices were, and how they faced, before the relief lifted them.
+  std::vector<Grid> grids;
+  std::vector<vec3> bare;
+  std::vector<vec3> bare_normals;
 };
 
 // A stone's window in the periodic relief.
@@ -30,6 +41,9 @@ struct ReliefWindow {
 // than `least_parts`: arrises bend through a right angle.
 StoneMesh displaced(const std::vector<geometry::BezierPatch>& patches, const ReliefWindow& window, double step_mm,
                     std::size_t least_parts = 4);
+
+// The same without relief, of as few triangles as show it: what is straight is not divided.
+StoneMesh level_mesh(const std::vector<geometry::BezierPatch>& patches, double step_mm, std::size_t least_parts);
 
 // A prism over `outline` (simple, counter-clockwise) from the lowest of the patches, whose top, `arris_mm` from the sides, lies
 // as the patches do.

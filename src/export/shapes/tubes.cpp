@@ -197,7 +197,10 @@ struct Chain {
   bool narrow_end = false;
 };
 
-bool ends_within(const CrackEnd& end) { return end.at == CrackEnd::At::open || end.at == CrackEnd::At::enclosed; }
+bool is_in_glass(CrackEnd::At end) { return end == CrackEnd::At::open || end == CrackEnd::At::enclosed; }
+
+// A crack that is still on its way to the edge, or to another one, is as wide as it will be.
+bool ends_within(const Crack& crack) { return is_in_glass(end_in_time(crack)); }
 
 double chain_radius(const Crack& crack, const std::vector<ImpactShape>& shapes) {
   const double share = crack.kind == CrackKind::large ? 1.0 : narrow_share;
@@ -207,9 +210,9 @@ double chain_radius(const Crack& crack, const std::vector<ImpactShape>& shapes) 
 std::vector<Chain> chains(const glass::CrackNetwork& network, const std::vector<ImpactShape>& shapes) {
   std::vector<Chain> result;
   for (glass::CrackPath& path : glass::crack_paths(network)) {
-    const Crack& crack = network.cracks[static_cast<std::size_t>(path.crack)];
-    result.push_back(
-        {std::move(path.points_mm), path.crack, chain_radius(crack, shapes), ends_within(path.start), ends_within(path.end)});
+    const Crack& crack = network.crack(path.crack);
+    const bool narrow_start = path.other_arm ? ends_within(network.crack(*path.other_arm)) : is_in_glass(path.start.at);
+    result.push_back({std::move(path.points_mm), path.crack, chain_radius(crack, shapes), narrow_start, ends_within(crack)});
   }
   return result;
 }

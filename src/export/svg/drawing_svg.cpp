@@ -7,21 +7,15 @@
 #include <string_view>
 
 #include "export/names.h"
+#include "export/svg/text.h"
 
 namespace shatterpave::exporting::svg {
 
 namespace {
 
-using Buffer = fmt::memory_buffer;
-
 // Line widths as fractions of the larger side of the drawing: by eye, so that a pane of 300 mm and a plaza of 50 m both read.
 constexpr double outline_width = 1.0 / 600.0;
 constexpr double crack_width = 1.0 / 1500.0;
-
-template <typename... Arguments>
-void put(Buffer& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-}
 
 // y points down in SVG. Adding 0 turns −0 into 0.
 void put_points(Buffer& out, const std::vector<vec2>& points) {
@@ -65,6 +59,8 @@ std::string crack_style(const BrokenPane& broken) {
   };
   if (has(glass::CrackKind::branch)) more += ".branch{stroke:#000}\n";
   if (has(glass::CrackKind::dice)) more += ".dice{stroke:#222}\n";
+  if (has(glass::CrackKind::rung)) more += ".rung{stroke:#b03a2e}\n";
+  if (has(glass::CrackKind::chip)) more += ".chip{stroke:#666}\n";
   return fmt::format(
       ".crack{{fill:none;stroke-linejoin:round;stroke-linecap:round;stroke-width:{}}}\n.large{{stroke:#000;stroke-width:{}}}\n"
       ".radial{{stroke:#444}}\n.circular{{stroke:#b03a2e}}\n{}",
@@ -95,7 +91,7 @@ OutputFile pavement_drawing(const Model& model, const PavedArea& paved) {
   for (const geometry::Polygon& hole : area.holes) put_path(out, hole);
   put(out, "\"/>\n<g id=\"stones\">\n");
   for (const paving::Stone& stone : paved.layout.stones) {
-    put(out, "<polygon class=\"stone {}\" id=\"stone-{}\" points=\"", name_of(stone.kind), stone.id);
+    put(out, "<polygon class=\"stone {} {}\" id=\"stone-{}\" points=\"", name_of(stone.part), name_of(stone.kind), stone.id);
     put_points(out, stone.outline_mm);
     put(out, "\"/>\n");
   }

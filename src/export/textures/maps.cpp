@@ -46,22 +46,6 @@ HeightRange range_of(const SurfaceMap& map) {
   return {static_cast<double>(low), static_cast<double>(high) - static_cast<double>(low)};
 }
 
-void normal_row(const SurfaceMap& map, std::size_t row, std::span<float> values) {
-  const auto length = static_cast<std::ptrdiff_t>(map.row_length());
-  const float* here = &map.height_mm[map.index(0, row)];
-  const auto half_x = static_cast<float>(0.5 / map.grid.pixel_mm.x);
-  const auto half_y = static_cast<float>(0.5 / map.grid.pixel_mm.y);
-  for (std::size_t column = 0; column < map.grid.width; ++column) {
-    const float* at = here + column;
-    const float x = (at[-1] - at[1]) * half_x;
-    const float y = (at[length] - at[-length]) * half_y;  // rows go down, y up
-    const float half = 0.5F / std::sqrt(x * x + y * y + 1.0F);
-    values[3 * column] = 0.5F + half * x;
-    values[3 * column + 1] = 0.5F + half * y;
-    values[3 * column + 2] = 0.5F + half;
-  }
-}
-
 }  // namespace
 
 std::string_view name_of(Map map) {
@@ -78,12 +62,16 @@ std::string_view name_of(Map map) {
       return "AmbientOcclusion";
     case Map::stone_id:
       return "ID";
+    case Map::normal_directx:
+      return "NormalDX";
+    case Map::occlusion_roughness_metal:
+      return "OcclusionRoughnessMetallic";
   }
   ENSURE(false);
   return {};
 }
 
-std::size_t channels(Map map) { return map == Map::base_color || map == Map::normal || map == Map::stone_id ? 3 : 1; }
+std::size_t channels(Map map) { return map == Map::roughness || map == Map::height || map == Map::ambient_occlusion ? 1 : 3; }
 
 // What colour and roughness need, made once.
 struct Maps::Looks {
@@ -119,7 +107,7 @@ struct Maps::Looks {
         const paving::StoneDraws draws = laid.draws(s);
         stones[s] = {geometry::centroid(surface.stones[s].outline_mm), draws.relief_place, static_cast<float>(draws.relief),
                      static_cast<float>(1.0 / std::max(1e-3, draws.body ? draws.body->rise_mm : highest_mm)),
-                     palette.stone(draws.colour)};
+                     palette.stone(draws.colour, surface.stones[s].colour)};
       }
     });
   }
@@ -236,6 +224,22 @@ void Maps::roughness_row(std::size_t row, std::span<float> values) const {
   }
 }
 
+void Maps::normal_down_row(std::size_t row, std::span<float> values) const {
+  relief::normal_row(map_.heights(), row, values);
+  for (std::size_t x = 0; x < map_.grid.width; ++x) values[3 * x + 1] = 1.0F - values[3 * x + 1];
+}
+
+void Maps::packed_row(std::size_t row, std::span<float> values) const {
+  std::vector<float> one(map_.grid.width);
+  occlusion_row(map_, row, one);
+  for (std::size_t x = 0; x < one.size(); ++x) {
+    values[3 * x] = one[x];
+    values[3 * x + 2] = 0.0F;
+  }
+  roughness_row(row, one);
+  for (std::size_t x = 0; x < one.size(); ++x) values[3 * x + 1] = one[x];
+}
+
 void Maps::row(Map map, std::size_t row, std::span<float> values) const {
   ENSURE(values.size() == map_.grid.width * channels(map) && row < map_.grid.height);
   switch (map) {
@@ -244,13 +248,17 @@ void Maps::row(Map map, std::size_t row, std::span<float> values) const {
     case Map::roughness:
       return roughness_row(row, values);
     case Map::normal:
-      return normal_row(map_, row, values);
+      return relief::normal_row(map_.heights(), row, values);
     case Map::height:
       return height_row(row, values);
     case Map::ambient_occlusion:
       return occlusion_row(map_, row, values);
     case Map::stone_id:
       return id_colour_row(row, values);
+    case Map::normal_directx:
+      return normal_down_row(row, values);
+    case Map::occlusion_roughness_metal:
+      return packed_row(row, values);
   }
 }
 

@@ -11,7 +11,17 @@
 
 namespace shatterpave::exporting::textures {
 
-enum class Map { base_color, roughness, normal, height, ambient_occlusion, stone_id };
+enum class Map {
+  base_color,
+  roughness,
+  normal,
+  height,
+  ambient_occlusion,
+  stone_id,
+  normal_directx,            // on request
+  occlusion_roughness_metal  // on request, packed as glTF and game engines read it
+};
+// Of every set.
 inline constexpr std::array<Map, 6> all_maps = {Map::base_color, Map::roughness,         Map::normal,
                                                 Map::height,     Map::ambient_occlusion, Map::stone_id};
 
@@ -45,6 +55,8 @@ class Maps {
   // A row of the window, channels together, 0 … 1 unless told otherwise:
   //   base_color         linear
   //   normal             tangent space, (n + 1) / 2; x to the right, y up in the picture (OpenGL), z out of the ground
+  //   normal_directx     the same with y down
+  //   occlusion_roughness_metal  ambient occlusion, roughness, and 0: stones are no metal
   //   height             by `height_range`
   //   stone_id           `id_colour` over 255, channel by channel; 0 in the joint
   void row(Map map, std::size_t row, std::span<float> values) const;
@@ -56,6 +68,8 @@ class Maps {
 
   void base_color_row(std::size_t row, std::span<float> values) const;
   void roughness_row(std::size_t row, std::span<float> values) const;
+  void normal_down_row(std::size_t row, std::span<float> values) const;
+  void packed_row(std::size_t row, std::span<float> values) const;
   void height_row(std::size_t row, std::span<float> values) const;
   void id_colour_row(std::size_t row, std::span<float> values) const;
 

@@ -1,9 +1,4 @@
-// Ambient occlusion of a surface map.
-//
-// From each pixel the horizon is looked for in eight directions, at distances that grow as the Fibonacci numbers. A horizon of
-// slope s >= 0 leaves 1 / (1 + s²), the square of the cosine of its angle, of what a level place would get from an even sky in
-// that direction; the mean over the directions is what the pixel gets. The cost goes with the pixels, and as the logarithm of
-// the reach.
+// Ambient occlusion of a surface map (relief/surface_rows.h).
 #pragma once
 
 #include <cstddef>

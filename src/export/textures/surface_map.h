@@ -14,6 +14,7 @@
 #include "paving/pavement.h"
 #include "paving/stones.h"
 #include "paving/surface/laid_surface.h"
+#include "relief/surface_rows.h"
 
 namespace shatterpave::exporting::textures {
 
@@ -45,6 +46,7 @@ struct SurfaceMap {
   // The stone of a pixel that is at least half stone, as above; 0 is the joint.
   std::uint32_t owner(std::size_t pixel) const { return cover[pixel] >= 128 ? stone[pixel] : 0; }
   bool is_flooded(std::size_t pixel) const { return water_mm && height_mm[pixel] == *water_mm; }
+  relief::HeightRows heights() const { return {&height_mm[index(0, 0)], row_length(), grid.pixel_mm}; }
   // Of a pixel of the window.
   std::size_t index(std::size_t column, std::size_t row) const { return (row + halo) * row_length() + column + halo; }
 };

@@ -9,11 +9,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "core/functions.h"
 #include "core/parallel.h"
 #include "export/textures/maps.h"
 #include "export/textures/occlusion.h"
 #include "relief/raster_file.h"
+#include "relief/srgb.h"
 
 namespace shatterpave::exporting::textures {
 
@@ -24,34 +24,20 @@ using relief::RasterFileFormat;
 
 constexpr std::size_t drawn_rows = 64;
 
-// The curve of sRGB (IEC 61966-2-1) over 0 … 1, as a table with straight lines between: off by less than a tenth of a step of 8
-// bits.
-class SrgbCurve {
- public:
-  SrgbCurve() {
-    for (std::size_t k = 0; k <= steps; ++k) {
-      const double linear = static_cast<double>(k) / steps;
-      table_[k] = static_cast<float>(linear <= 0.0031308 ? 12.92 * linear : 1.055 * power(linear, 1.0 / 2.4) - 0.055);
-    }
-    table_[steps + 1] = table_[steps];
-  }
-
-  float operator()(float linear) const {
-    const float at = std::clamp(linear, 0.0F, 1.0F) * static_cast<float>(steps);
-    const auto k = static_cast<std::size_t>(at);
-    return table_[k] + (at - static_cast<float>(k)) * (table_[k + 1] - table_[k]);
-  }
-
- private:
-  static constexpr std::size_t steps = 4096;
-  std::array<float, steps + 2> table_{};
-};
-
 RasterFileFormat file_format(Map map, TextureFormat format) {
   if (format == TextureFormat::png) {
-    return map == Map::height || map == Map::normal ? RasterFileFormat::png16 : RasterFileFormat::png8;
+    return map == Map::height || map == Map::normal || map == Map::normal_directx ? RasterFileFormat::png16
+                                                                                  : RasterFileFormat::png8;
   }
   return map == Map::height || map == Map::stone_id ? RasterFileFormat::exr_float : RasterFileFormat::exr_half;
+}
+
+// The maps that a pavement asks for.
+std::vector<Map> maps_of(const paving::TextureSet& textures) {
+  std::vector<Map> maps(all_maps.begin(), all_maps.end());
+  if (textures.normals_down) maps.push_back(Map::normal_directx);
+  if (textures.packed_channels) maps.push_back(Map::occlusion_roughness_metal);
+  return maps;
 }
 
 std::string file_name(const std::string& pavement, Map map, TextureFormat format) {
@@ -67,7 +53,7 @@ void write_map(const Maps& maps, const PixelGrid& grid, Map map, TextureFormat f
   const auto smaller = map == Map::stone_id ? relief::Smaller::first : relief::Smaller::mean;
   const auto file = format == TextureFormat::tiled_exr ? std::make_unique<relief::RasterFile>(path, shape, written, smaller)
                                                        : std::make_unique<relief::RasterFile>(path, shape, written);
-  static const SrgbCurve srgb;
+  static const relief::SrgbCurve srgb;
   const std::size_t length = shape.width * shape.channels;
   std::vector<float> rows;
   for (std::size_t begin = 0; begin < grid.height; begin += drawn_rows) {
@@ -88,12 +74,12 @@ void write_map(const Maps& maps, const PixelGrid& grid, Map map, TextureFormat f
 }
 
 // What the files do not say themselves.
-std::string description(const Surface& surface, const PixelGrid& grid, const HeightRange& heights, TextureFormat format) {
-  const std::string& name = surface.pavement.name;
+std::string description(const Surface& surface, const PixelGrid& grid, const HeightRange& heights, TextureFormat format,
+                        const std::string& stem) {
   const vec2 size_mm = grid.size_mm();
   nlohmann::ordered_json json = {{"format", "shatterpave-textures"},
                                  {"version", 1},
-                                 {"name", name},
+                                 {"name", surface.pavement.name},
                                  {"seed", surface.seed},
                                  {"size_px", {grid.width, grid.height}},
                                  {"low_mm", {grid.low_mm.x, grid.low_mm.y}},
@@ -103,7 +89,8 @@ std::string description(const Surface& surface, const PixelGrid& grid, const Hei
                                  {"height_range_mm", heights.range_mm},
                                  {"normal", "OpenGL"},
                                  {"base_color", format == TextureFormat::png ? "sRGB" : "linear"}};
-  for (const Map map : all_maps) json["maps"][std::string(name_of(map))] = file_name(name, map, format);
+  for (const Map map : maps_of(surface.pavement.textures))
+    json["maps"][std::string(name_of(map))] = file_name(stem, map, format);
   return json.dump(1) + "\n";
 }
 
@@ -131,35 +118,36 @@ PixelGrid pixel_grid(const paving::Pavement& pavement) {
   return {box.low, {pixel, pixel}, count(size.x), count(size.y)};
 }
 
-void write_set(const Surface& surface, const PixelGrid& grid, const std::string& folder) {
+// `stem`: of the names of the files.
+void write_set(const Surface& surface, const PixelGrid& grid, const std::string& stem, const std::string& folder) {
   const paving::Pavement& pavement = surface.pavement;
   const TextureFormat format = pavement.textures.format;
   const SurfaceMap map = surface_map(surface, grid, occlusion_reach(pavement, grid), samples_for(pavement, grid));
   const Maps maps(surface, map);
   const auto path = [&](const std::string& name) { return folder + "/" + name; };
-  const auto write = [&](std::size_t k) {
-    write_map(maps, grid, all_maps.at(k), format, path(file_name(pavement.name, all_maps.at(k), format)));
-  };
+  const std::vector<Map> asked = maps_of(pavement.textures);
+  const auto write = [&](std::size_t k) { write_map(maps, grid, asked[k], format, path(file_name(stem, asked[k], format))); };
   if (format == TextureFormat::tiled_exr) {
     // One after the other, for the smaller sizes that each keeps in memory.
-    for (std::size_t k = 0; k < all_maps.size(); ++k) write(k);
+    for (std::size_t k = 0; k < asked.size(); ++k) write(k);
   } else {
-    parallel_for(all_maps.size(), write);
+    parallel_for(asked.size(), write);
   }
-  write_text(path(pavement.name + "_textures.json"), description(surface, grid, maps.height_range(), format));
+  write_text(path(stem + "_textures.json"), description(surface, grid, maps.height_range(), format, stem));
 }
 
 FileSet texture_set(const PavedArea& paved, std::uint64_t seed) {
   FileSet set;
-  for (const Map map : all_maps) set.names.push_back(file_name(paved.pavement.name, map, paved.pavement.textures.format));
-  set.names.push_back(paved.pavement.name + "_textures.json");
+  for (const Map map : maps_of(paved.pavement.textures))
+    set.names.push_back(file_name(stem_of(paved), map, paved.pavement.textures.format));
+  set.names.push_back(stem_of(paved) + "_textures.json");
   set.write = [&paved, seed](const std::string& folder) {
     const Fields fields = fields_of(paved.pavement, seed);
     if (paved.tile) {
       write_set({paved.pavement, paved.tile->layout.stones, fields, seed, true},
-                tile_grid(paved.tile->size_mm, paved.pavement.textures.size_px), folder);
+                tile_grid(paved.tile->size_mm, paved.pavement.textures.size_px), stem_of(paved), folder);
     } else {
-      write_set({paved.pavement, paved.layout.stones, fields, seed, false}, pixel_grid(paved.pavement), folder);
+      write_set({paved.pavement, paved.layout.stones, fields, seed, false}, pixel_grid(paved.pavement), stem_of(paved), folder);
     }
   };
   return set;

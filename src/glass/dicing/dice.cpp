@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,10 @@ constexpr double most_pieces = 8.0;
 // Seeds beyond the pane, in lengths of a fragment: so many that cells at the edge have all their neighbours.
 constexpr double margin_lengths = 3.0;
 
+// Rings of seeds are no wider than this share of the distance from the impact and a fragment: in wider ones as many seeds would
+// stand within as without. By eye.
+constexpr double steepest_rings = 0.6;
+
 struct Side {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
@@ -70,9 +75,10 @@ std::vector<vec2> drawn_seeds(const Pane& pane, const DiceShape& shape, vec2 imp
   std::vector<vec2> seeds;
   double inner = 0.0;
   for (std::uint64_t ring = 0; inner < reach_mm; ++ring) {
-    const double length = shape.length_mm(inner);
+    const double full = shape.length_mm(inner);
+    const double length = std::min(full, steepest_rings * inner + shape.width_mm(inner));
     const double middle = inner + 0.5 * length;
-    const double count = std::max(std::round(2.0 * pi * middle / shape.width_mm(middle)), 3.0);
+    const double count = std::max(std::round(2.0 * pi * middle / shape.width_mm(middle) * (length / full)), 3.0);
     const vec2 margin = margin_lengths * vec2{length, length};
     const Id id = Id(pane.name).child("dice").child(ring);
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
@@ -146,6 +152,54 @@ std::vector<std::uint32_t> joined(Fragments& fragments, const DiceShape& shape, 
   return stands;
 }
 
+// A crack from the star, by the direction in which it leaves.
+struct Ray {
+  double direction = 0.0;
+  Side side;
+};
+
+// The ray between the two nearest others, of those for which `may_go` holds. Rays are in order of direction, round the circle.
+template <typename MayGo>
+std::optional<std::size_t> narrowest_of(const std::vector<Ray>& rays, MayGo may_go) {
+  std::optional<std::size_t> best;
+  double narrowest = 2.0 * pi;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!may_go(rays[i])) continue;
+    const double on = rays[(i + 1) % rays.size()].direction + (i + 1 == rays.size() ? 2.0 * pi : 0.0);
+    const double back = rays[(i + rays.size() - 1) % rays.size()].direction - (i == 0 ? 2.0 * pi : 0.0);
+    if (on - back >= narrowest) continue;
+    narrowest = on - back;
+    best = i;
+  }
+  return best;
+}
+
+// The cracks that start at the impact are as far apart as splinters where the star of corners that became one with it ends:
+// those between the narrowest are left out, so that pairs of splinters grow together to the corner where the next begins. Which
+// is how cracks branch on their way out.
+void thin_star(Fragments& fragments, const DiceShape& shape) {
+  const auto wanted = static_cast<std::size_t>(
+      std::max(std::round(2.0 * pi * star_radius * shape.width_mm(0.0) / shape.splinter_spacing_mm()), 3.0));
+  std::vector<Ray> rays;
+  std::vector<int> degrees(fragments.places.size(), 0);
+  const vec2 impact = geometry::to_mm(fragments.places[fragments.star]);
+  const auto end_of = [&](const Side& side) { return side.a == fragments.star ? side.b : side.a; };
+  for (const Side& side : fragments.sides) {
+    ++degrees[side.a];
+    ++degrees[side.b];
+    if (side.a != fragments.star && side.b != fragments.star) continue;
+    rays.push_back({Angle::of(geometry::to_mm(fragments.places[end_of(side)]) - impact).radians(), side});
+  }
+  std::ranges::sort(rays, {}, [](const Ray& ray) { return std::pair(ray.direction, ray.side); });
+  while (rays.size() > wanted) {
+    const auto best = narrowest_of(rays, [&](const Ray& ray) { return degrees[end_of(ray.side)] >= 3; });
+    if (!best) return;
+    --degrees[end_of(rays[*best].side)];
+    std::erase(fragments.sides, rays[*best].side);
+    rays.erase(rays.begin() + static_cast<std::ptrdiff_t>(*best));
+  }
+}
+
 Fragments fragments_of(const geometry::Voronoi& cells, const DiceShape& shape, vec2 impact) {
   Fragments fragments{cells.corners, {}, sides_of(cells), 0};
   const std::vector<std::uint32_t> stands = joined(fragments, shape, impact);
@@ -159,16 +213,26 @@ Fragments fragments_of(const geometry::Voronoi& cells, const DiceShape& shape, v
   std::erase_if(fragments.sides, [](const Side& side) { return side.a == side.b; });
   for (const vec2& corner : fragments.unfolded) fragments.places.push_back(geometry::to_lattice(shape.folded(corner)));
   fragments.places[fragments.star] = geometry::to_lattice(impact);
+  thin_star(fragments, shape);
   return fragments;
 }
+
+// Of fracture: a circle about the impact that grows.
+struct Front {
+  vec2 impact_mm{0.0, 0.0};
+  double start_us = 0.0;
+  double speed_mm_us = 1.0;
+
+  double reaches_us(LatticePoint p) const { return start_us + glm::length(geometry::to_mm(p) - impact_mm) / speed_mm_us; }
+};
 
 // Lets cracks run along the sides of fragments.
 class Running {
  public:
-  Running(const Fragments& fragments, const DiceShape& shape, vec2 impact, CrackMap& map)
+  Running(const Fragments& fragments, const DiceShape& shape, const Front& front, CrackMap& map)
       : fragments_(fragments),
         shape_(shape),
-        impact_(impact),
+        front_(front),
         map_(map),
         first_(fragments.places.size() + 1, 0),
         used_(fragments.sides.size(), false),
@@ -215,7 +279,7 @@ class Running {
   // A crack from the corner along the side and on. Corners that it comes to first go to `waiting`.
   void run(std::uint32_t corner, std::uint32_t side, CrackEnd::At start, std::vector<std::uint32_t>& waiting) {
     if (hubs_[corner] == none) hubs_[corner] = map_.add_hub(fragments_.places[corner]);
-    const int crack = map_.start(hubs_[corner], CrackKind::dice, 0, start);
+    const int crack = map_.start(hubs_[corner], CrackKind::dice, 0, start, front_.reaches_us(fragments_.places[corner]));
     for (std::uint32_t from = corner;;) {
       used_[side] = true;
       const std::uint32_t to = other(side, from);
@@ -235,14 +299,19 @@ class Running {
     const vec2 b = fragments_.unfolded[to];
     const vec2 start = geometry::to_mm(fragments_.places[from]);
     const double length = glm::length(geometry::to_mm(fragments_.places[to]) - start);
-    const double width = shape_.width_mm(glm::length(start - impact_));
+    const double width = shape_.width_mm(glm::length(start - front_.impact_mm));
     const double pieces = from == fragments_.star || to == fragments_.star
                               ? 1.0
                               : std::clamp(std::ceil(length / (widths_to_a_vertex * width)), 1.0, most_pieces);
     for (double piece = 1.0; piece < pieces; ++piece) {
-      if (map_.extend(crack, geometry::to_lattice(shape_.folded(glm::mix(a, b, piece / pieces))))) return false;
+      if (run_to(crack, geometry::to_lattice(shape_.folded(glm::mix(a, b, piece / pieces))))) return false;
     }
-    return !map_.extend(crack, fragments_.places[to]);
+    return !run_to(crack, fragments_.places[to]);
+  }
+
+  // With the front, or at once to where it has been.
+  std::optional<Arrest> run_to(int crack, LatticePoint to) {
+    return map_.extend(crack, to, std::max(map_.tip_us(crack), front_.reaches_us(to)));
   }
 
   // The side on which a crack that comes along a side leaves its end.
@@ -266,7 +335,7 @@ class Running {
 
   const Fragments& fragments_;
   const DiceShape& shape_;
-  vec2 impact_;
+  Front front_;
   CrackMap& map_;
   std::vector<std::uint32_t> first_;  // sides at corner c are around_[first_[c]] … around_[first_[c + 1] − 1]
   std::vector<std::uint32_t> around_;
@@ -299,14 +368,15 @@ CrackNetwork diced_pane(const Pane& pane, const Tempered& glass, std::uint64_t s
   const Fragments fragments = fragments_of(geometry::voronoi(seeds), shape, impact);
 
   CrackMap map(pane.outline_mm, side_mm, false);
-  Running running(fragments, shape, impact, map);
+  const Front front{impact, pane.impacts.front().time_us, pane.growth.crack_speed_m_s / 1000.0};
+  Running running(fragments, shape, front, map);
   running.spread_from(fragments.star, CrackEnd::At::impact);
   const geometry::RegionIndex inside({pane.outline_mm, {}});
   for (std::uint32_t corner = 0; corner < fragments.places.size(); ++corner) {
     const vec2 place = geometry::to_mm(fragments.places[corner]);
     if (!running.is_reached(corner) && inside.contains(place)) running.spread_from(corner, CrackEnd::At::origin);
   }
-  network.cracks = map.cracks();
+  network.cracks = map.cracks(pane.time_us.has_value());
   const auto from_impact = [](const Crack& crack) { return crack.start.at == CrackEnd::At::impact; };
   network.impacts.front().radial_count = static_cast<int>(std::ranges::count_if(network.cracks, from_impact));
   return network;

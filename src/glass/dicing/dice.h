@@ -18,6 +18,7 @@ void require_few_fragments(const Pane& pane, const Tempered& glass);
 // impact; at later ones there is nothing left to break. Each runs on through the corners of fragments, in each as straight as
 // it can, until it meets the edge or a crack; it starts at the impact, or on a crack; or, in a part of the pane that none of
 // these came to, at a corner of its own (`origin`). So cracks enclose all fragments but for those that the edge bounds.
+// Their times are those of a front that runs from the impact at growth.crack_speed_m_s: cracks are where it has been.
 //
 // Throws InputError as `require_few_fragments` does.
 CrackNetwork diced_pane(const Pane& pane, const Tempered& glass, std::uint64_t seed);

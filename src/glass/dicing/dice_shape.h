@@ -27,6 +27,8 @@ class DiceShape {
 
   double width_mm(double r_mm) const;   // of a fragment, across the direction from the impact
   double length_mm(double r_mm) const;  // along it
+  // How far apart the cracks between splinters are, side by side.
+  double splinter_spacing_mm() const;
   // Width of a fragment at that distance where it is unfolded.
   double unfolded_width(double r_mm) const;
   vec2 unfolded(vec2 p_mm) const;  // about the impact as its origin
@@ -34,7 +36,6 @@ class DiceShape {
 
  private:
   double ratio(double r_mm) const;
-  double fineness(double r_mm) const;
   double log_image(double log_r) const;
 
   vec2 impact_mm_;

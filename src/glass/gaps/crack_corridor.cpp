@@ -26,6 +26,9 @@ constexpr double turned_back = 0.6;
 // By how much room may grow along a step, so that walls do not jump aside.
 constexpr double growth_of_room = 0.4;
 
+// A crack that ends at the edge ends within 1 µm of it.
+constexpr double edge_reach_mm = 0.002;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Interval = Corridors::Interval;
@@ -126,6 +129,8 @@ Corridors::Corridors(const Pane& pane, const CrackNetwork& network, const std::v
   add_joints(network.cracks.size());
 }
 
+double Corridors::along_mm(std::size_t path, vec2 point) const { return along_nearest(paths_[path].points_mm, point); }
+
 void Corridors::add_piece(const Piece& piece) {
   index_.add({geometry::to_lattice(piece.a), geometry::to_lattice(piece.b)});
   pieces_.push_back(piece);
@@ -164,6 +169,27 @@ void Corridors::add_joints(std::size_t crack_count) {
     if (paths_[i].start.crack) add_joint(i, false, path_of[static_cast<std::size_t>(*paths_[i].start.crack)]);
     if (paths_[i].end.crack) add_joint(i, true, path_of[static_cast<std::size_t>(*paths_[i].end.crack)]);
   }
+  leave_hooks();
+}
+
+// Two cracks that pass each other's tips may each end on the other, and run side by side in between. They have to keep apart
+// there: so such joints are none, and the walls of both end where there is no room.
+void Corridors::leave_hooks() {
+  const double near = 4.0 * (shape_.joint_mm + shape_.longest_step_mm);
+  const auto tip_near = [&](const CrackJoint& joint, double along) {
+    return std::abs((joint.at_end ? lengths_[joint.path] : 0.0) - along) <= near;
+  };
+  const auto hooked = [&](std::size_t number) {
+    const CrackJoint& joint = joints_[number];
+    return std::ranges::any_of(joints_of_[joint.on], [&](std::size_t other) {
+      const CrackJoint& back = joints_[other];
+      return back.path == joint.on && back.on == joint.path && tip_near(joint, back.along_mm) && tip_near(back, joint.along_mm);
+    });
+  };
+  std::vector<bool> is_none(joints_.size(), false);
+  for (std::size_t number = 0; number < joints_.size(); ++number) is_none[number] = hooked(number);
+  for (std::vector<std::size_t>& joints : joints_of_)
+    std::erase_if(joints, [&](std::size_t number) { return is_none[number]; });
 }
 
 // How far off the path is from the pieces, by how far it has to go to its end: the least within the reach of a joint.
@@ -199,6 +225,18 @@ const CrackJoint* Corridors::joint(std::size_t path, bool at_end) const {
   return nullptr;
 }
 
+bool Corridors::joins_near_end(std::size_t path, double reach_mm) const {
+  return std::ranges::any_of(joints_of_[path], [&](std::size_t number) {
+    const CrackJoint& joint = joints_[number];
+    return joint.path == path && (joint.along_mm <= reach_mm || lengths_[joint.on] - joint.along_mm <= reach_mm);
+  });
+}
+
+bool Corridors::joins(std::size_t path, std::size_t on) const {
+  return std::ranges::any_of(joints_of_[path],
+                             [&](std::size_t number) { return joints_[number].path == path && joints_[number].on == on; });
+}
+
 std::vector<std::pair<vec2, vec2>> Corridors::sides_near(vec2 low, vec2 high) const {
   std::vector<std::pair<vec2, vec2>> sides;
   for (const int number : index_.near(geometry::to_lattice(low), geometry::to_lattice(high))) {
@@ -221,9 +259,14 @@ void Corridors::cut_out_exempt(std::size_t path, double along, std::size_t other
   }
 }
 
+// A path that ends at the edge is not kept apart from the side on which it does so.
 double Corridors::distance_to_side(std::size_t path, double along, vec2 point, const Piece& side) const {
-  const bool at_edge = (paths_[path].end.at == CrackEnd::At::edge && lengths_[path] - along <= shape_.joint_mm) ||
-                       (paths_[path].start.at == CrackEnd::At::edge && along <= shape_.joint_mm);
+  const auto ends_on = [&](const CrackEnd& end, vec2 tip) {
+    return end.at == CrackEnd::At::edge && geometry::distance_to_segment(tip, side.a, side.b) <= edge_reach_mm;
+  };
+  const CrackPath& of = paths_[path];
+  const bool at_edge = (lengths_[path] - along <= shape_.joint_mm && ends_on(of.end, of.points_mm.back())) ||
+                       (along <= shape_.joint_mm && ends_on(of.start, of.points_mm.front()));
   return at_edge ? infinity : geometry::distance_to_segment(point, side.a, side.b);
 }
 

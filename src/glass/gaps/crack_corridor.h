@@ -48,10 +48,16 @@ class Corridors {
 
   const std::vector<CrackPath>& paths() const { return paths_; }
   double length_mm(std::size_t path) const { return lengths_[path]; }
+  // How far along the path its place nearest to the point lies.
+  double along_mm(std::size_t path, vec2 point) const;
   // The stations of a path, from where it leaves the zone that it starts in; none where it does not leave it.
   std::vector<Station> stations(std::size_t path) const;
   // Of the start or the end of the path; null where it does not lie on another one.
   const CrackJoint* joint(std::size_t path, bool at_end) const;
+  // Whether the path ends on another one within `reach_mm` of an end of that one.
+  bool joins_near_end(std::size_t path, double reach_mm) const;
+  // Whether the path ends on that one.
+  bool joins(std::size_t path, std::size_t on) const;
   // The sides of the outline that come near to the box about `low` and `high`.
   std::vector<std::pair<vec2, vec2>> sides_near(vec2 low, vec2 high) const;
 
@@ -72,6 +78,7 @@ class Corridors {
   void add_piece(const Piece& piece);
   void add_joint(std::size_t path, bool at_end, std::size_t on);
   void add_joints(std::size_t crack_count);
+  void leave_hooks();
   double edge_sine(std::size_t path, bool at_end) const;
   void cut_out_exempt(std::size_t path, double along, std::size_t other, std::vector<Interval>& parts) const;
   double distance_to_side(std::size_t path, double along, vec2 point, const Piece& side) const;

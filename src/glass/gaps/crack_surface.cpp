@@ -16,6 +16,8 @@
 #include "geometry/lattice.h"
 #include "glass/gaps/crack_corridor.h"
 #include "glass/gaps/crack_walls.h"
+#include "glass/gaps/impact_zones.h"
+#include "glass/map/growth_clock.h"
 
 namespace shatterpave::glass {
 
@@ -43,12 +45,8 @@ constexpr double tip_lead = 0.5;
 // Longest step along a crack, in thicknesses and in lengths of twist.
 constexpr double step_thicknesses = 0.75;
 constexpr double step_twists = 0.12;
-// The zone about an impact: in thicknesses, and room on its ring for each radial (mm).
-constexpr double zone_thicknesses = 1.5;
-constexpr double ring_room_mm = 0.12;
-// How much wider a hole is on the far side, in thicknesses, where a scene does not say; and what is left about it.
-constexpr double spall_thicknesses = 4.5;
-constexpr double shot_hole_clearance_mm = 0.05;
+// How often cracks that end near the ends of others are cut off anew.
+constexpr int most_rounds = 12;
 
 // ---- noise along a crack
 
@@ -110,14 +108,14 @@ class Builder {
         shape_(shape_of(pane)),
         corridors_(pane, network, impacts.zones, shape_.corridor) {}
 
-  std::size_t count() const { return corridors_.paths().size(); }
-  // The walls of a path, as many pieces as there is room for, and nothing cut off.
-  std::vector<Walls> walls(std::size_t path) const;
-  // Cuts them off where they end; `all` are those of all paths.
-  void cut(std::size_t path, std::vector<Walls>& own, const std::vector<std::vector<Walls>>& all) const;
+  // The walls of all paths, cut off where they end.
+  std::vector<std::vector<Walls>> all_walls() const;
   CrackSurface surface(std::size_t path, const Walls& walls) const;
+  // Takes off walls what has not grown yet; `now` is the network at the time.
+  void cut_to(std::size_t path, const CrackNetwork& now, std::vector<Walls>& own) const;
 
  private:
+  std::size_t count() const { return corridors_.paths().size(); }
   struct Profile {       // of a whole crack
     double side = 1.0;   // of z: where it opens
     double depth = 1.0;  // share of the thickness
@@ -130,10 +128,18 @@ class Builder {
   }
   const ImpactZone& zone_of(std::size_t path) const { return impacts_.zones[static_cast<std::size_t>(crack(path).impact)]; }
   Id id(std::size_t path) const { return Id(pane_.name).child("crack").child(static_cast<std::uint64_t>(crack(path).id)); }
+  // The walls of a path, as many pieces as there is room for, and nothing cut off.
+  std::vector<Walls> walls(std::size_t path) const;
+  // Cuts them off where they end; `all` are those of all paths.
+  std::vector<Walls> cut(std::size_t path, std::vector<Walls> own, const std::vector<std::vector<Walls>>& all) const;
+  std::vector<std::size_t> near_ends() const;
   Profile profile(std::size_t path) const;
   void append_column(Walls& walls, const Station& station, const Profile& profile, const Id& id) const;
   void cut_tip(std::size_t path, bool at_end, bool is_last, Walls& walls, const std::vector<std::vector<Walls>>& all) const;
   double cut_zone(std::size_t path, bool at_end) const;
+  std::vector<double> lags_of_tip(const Walls& walls) const;
+  void cut_at_tip(double along_mm, Walls& walls) const;
+  double tip_along_mm(std::size_t path, int crack, const CrackNetwork& now) const;
   std::optional<Barrier> barrier(std::size_t path, bool at_end, const Walls& own,
                                  const std::vector<std::vector<Walls>>& all) const;
 
@@ -227,29 +233,6 @@ std::vector<Walls> Builder::walls(std::size_t path) const {
   return result;
 }
 
-// A polygon about a circle.
-Pieces ring(vec2 centre, double radius_mm) {
-  constexpr int sides = 64;
-  Pieces pieces;
-  const auto corner = [&](int k) {
-    const SineAndCosine turn = sine_and_cosine(2.0 * pi * k / sides);
-    return centre + radius_mm / cosine(pi / sides) * vec2{turn.cosine, turn.sine};
-  };
-  for (int k = 0; k < sides; ++k) pieces.emplace_back(corner(k), corner(k + 1));
-  return pieces;
-}
-
-// What the cracks of an impact start from: the rim of its zone, or the wall of its hole.
-Barrier rim_of(const CrackSurfaces& impacts, const ImpactZone& zone) {
-  const auto has_its_centre = [&](const ShotHole& shot_hole) { return shot_hole.shape.centre_mm == zone.centre_mm; };
-  const auto found = std::ranges::find_if(impacts.shot_holes, has_its_centre);
-  if (found == impacts.shot_holes.end()) {
-    return {[rim = ring(zone.centre_mm, zone.radius_mm)](double) { return rim; }};
-  }
-  return {[shape = found->shape](double z) { return ring(shape.centre_mm, widest_mm(shape, z) + shot_hole_clearance_mm); },
-          true};
-}
-
 // What the start or the end of a path lies on; nothing where it is within the glass. `own` are walls that run towards it.
 std::optional<Barrier> Builder::barrier(std::size_t path, bool at_end, const Walls& own,
                                         const std::vector<std::vector<Walls>>& all) const {
@@ -272,6 +255,17 @@ std::optional<Barrier> Builder::barrier(std::size_t path, bool at_end, const Wal
   return Barrier{slice, profile(joint->on).depth < 1.0};
 }
 
+// How far the front of a tip within the glass lags behind, by row.
+std::vector<double> Builder::lags_of_tip(const Walls& walls) const {
+  std::vector<double> lags;
+  const double longest = std::min(tip_lead * pane_.thickness_mm, 0.3 * (walls.along_mm.back() - walls.along_mm.front()));
+  for (std::size_t r = 0; r < walls.rows; ++r) {
+    const double t = static_cast<double>(r) / static_cast<double>(walls.rows - 1);
+    lags.push_back(longest * t * t);
+  }
+  return lags;
+}
+
 // Cuts off the end of walls that run towards the end, or the start, of the path; `is_last`: they reach it.
 void Builder::cut_tip(std::size_t path, bool at_end, bool is_last, Walls& walls,
                       const std::vector<std::vector<Walls>>& all) const {
@@ -279,13 +273,7 @@ void Builder::cut_tip(std::size_t path, bool at_end, bool is_last, Walls& walls,
   if (const auto before = barrier(path, at_end, walls, all)) {
     cut_end(walls, *before, cut_zone(path, at_end), shape_.joint_clearance_mm, is_last);
   } else if (is_last && within_glass(end)) {
-    std::vector<double> lags;
-    const double longest = std::min(tip_lead * pane_.thickness_mm, 0.3 * (walls.along_mm.back() - walls.along_mm.front()));
-    for (std::size_t r = 0; r < walls.rows; ++r) {
-      const double t = static_cast<double>(r) / static_cast<double>(walls.rows - 1);
-      lags.push_back(longest * t * t);
-    }
-    cut_back(walls, lags);
+    cut_back(walls, lags_of_tip(walls));
   }
 }
 
@@ -296,15 +284,100 @@ double Builder::cut_zone(std::size_t path, bool at_end) const {
   return shape_.corridor.joint_mm + shape_.corridor.longest_step_mm + rim;
 }
 
-void Builder::cut(std::size_t path, std::vector<Walls>& own, const std::vector<std::vector<Walls>>& all) const {
+std::vector<Walls> Builder::cut(std::size_t path, std::vector<Walls> own, const std::vector<std::vector<Walls>>& all) const {
+  const double length = corridors_.length_mm(path);
   for (Walls& walls : own) {
     const double from = walls.along_mm.front();
-    const double left = corridors_.length_mm(path) - walls.along_mm.back();
+    const double left = length - walls.along_mm.back();
     if (left <= cut_zone(path, true)) cut_tip(path, true, left < 1e-9, walls, all);
     if (from > cut_zone(path, false) || walls.columns() < 2) continue;
-    reverse(walls);
+    reverse(walls, length);
     cut_tip(path, false, from == 0.0, walls, all);
-    reverse(walls);
+    reverse(walls, length);
+  }
+  std::erase_if(own, [](const Walls& walls) { return walls.columns() < 2; });
+  return own;
+}
+
+// The paths that end on others near an end of these.
+std::vector<std::size_t> Builder::near_ends() const {
+  const double cut_mm = shape_.corridor.joint_mm + shape_.corridor.longest_step_mm;
+  double widest_mm = 0.0;
+  for (const ImpactZone& zone : impacts_.zones) widest_mm = std::max(widest_mm, zone.radius_mm - zone.start_mm);
+  std::vector<std::size_t> found;
+  for (std::size_t path = 0; path < count(); ++path) {
+    if (corridors_.joins_near_end(path, 3.0 * cut_mm + widest_mm)) found.push_back(path);
+  }
+  return found;
+}
+
+// Where a path is cut off its columns are shared out anew, so that its walls no longer bend quite where they did. What ends on
+// it there is cut off before all that its walls have been, whole and cut, again and again until nothing changes: then it is
+// clear of what they are. Each time, ends can only come to lie farther back. The few rounds that there may be are enough for
+// one path on the end of the next, several in succession; what would go on is left out, which leaves room to all others.
+std::vector<std::vector<Walls>> Builder::all_walls() const {
+  std::vector<std::vector<Walls>> whole(count());
+  parallel_for(count(), [&](std::size_t i) { whole[i] = walls(i); });
+  std::vector<std::vector<Walls>> result(count());
+  parallel_for(count(), [&](std::size_t i) { result[i] = cut(i, whole[i], whole); });
+  std::vector<std::vector<Walls>> been = whole;
+  for (std::size_t i = 0; i < count(); ++i) been[i].insert(been[i].end(), result[i].begin(), result[i].end());
+  const std::vector<std::size_t> at_ends = near_ends();
+  std::vector<std::size_t> again = at_ends;
+  for (int round = 0; !again.empty(); ++round) {
+    std::vector<std::vector<Walls>> fresh(again.size());
+    parallel_for(again.size(), [&](std::size_t k) {
+      if (round < most_rounds) fresh[k] = cut(again[k], whole[again[k]], been);
+    });
+    std::vector<std::size_t> changed;
+    for (std::size_t k = 0; k < again.size(); ++k) {
+      const std::size_t path = again[k];
+      if (fresh[k] != result[path] && round < most_rounds) changed.push_back(path);
+      result[path] = std::move(fresh[k]);
+    }
+    for (const std::size_t i : changed) been[i].insert(been[i].end(), result[i].begin(), result[i].end());
+    again.clear();
+    for (const std::size_t path : at_ends) {
+      if (std::ranges::any_of(changed, [&](std::size_t on) { return corridors_.joins(path, on); })) again.push_back(path);
+    }
+  }
+  return result;
+}
+
+// How far along the path the tip of a crack of it is; where it has not started, that is its start.
+double Builder::tip_along_mm(std::size_t path, int crack, const CrackNetwork& now) const {
+  const auto grown = std::ranges::lower_bound(now.cracks, crack, {}, &Crack::id);
+  const bool is_there = grown != now.cracks.end() && grown->id == crack;
+  return corridors_.along_mm(path, is_there ? grown->points_mm.back() : network_.crack(crack).points_mm.front());
+}
+
+// Ends walls at a tip, or leaves none of them. Columns are dropped first, so that those that are left stay where they are.
+void Builder::cut_at_tip(double along_mm, Walls& walls) const {
+  const auto beyond = std::ranges::lower_bound(walls.along_mm, along_mm);
+  if (beyond == walls.along_mm.end()) return;
+  const auto kept = static_cast<std::size_t>(beyond - walls.along_mm.begin()) + 1;
+  walls.along_mm.resize(kept);
+  walls.left.resize(kept * walls.rows);
+  walls.right.resize(kept * walls.rows);
+  if (kept < 2) return;
+  std::vector<double> lags = lags_of_tip(walls);
+  for (double& lag : lags) lag += walls.along_mm.back() - along_mm;
+  cut_back(walls, lags);
+}
+
+void Builder::cut_to(std::size_t path, const CrackNetwork& now, std::vector<Walls>& own) const {
+  const auto is_whole = [&](int crack) {
+    const auto grown = std::ranges::lower_bound(now.cracks, crack, {}, &Crack::id);
+    return grown != now.cracks.end() && grown->id == crack && !grown->rest;
+  };
+  const CrackPath& of = corridors_.paths()[path];
+  const double length = corridors_.length_mm(path);
+  for (Walls& walls : own) {
+    if (!is_whole(of.crack)) cut_at_tip(tip_along_mm(path, of.crack, now), walls);
+    if (!of.other_arm || is_whole(*of.other_arm) || walls.columns() < 2) continue;
+    reverse(walls, length);
+    cut_at_tip(length - tip_along_mm(path, *of.other_arm, now), walls);
+    if (walls.columns() > 1) reverse(walls, length);
   }
   std::erase_if(own, [](const Walls& walls) { return walls.columns() < 2; });
 }
@@ -335,55 +408,24 @@ CrackSurface Builder::surface(std::size_t path, const Walls& walls) const {
   return result;
 }
 
-// A hole for which there is less room is none: its wall would be made of points that fall together on the lattice.
-constexpr double least_hole_radius_mm = 0.05;
-
-ShotHoleShape shot_hole_shape(const Pane& pane, const Impact& impact, double limit_mm) {
-  const double spall = impact.spall_mm.value_or(impact.hole_mm + spall_thicknesses * pane.thickness_mm);
-  ShotHoleShape shape{impact.at_mm, pane.thickness_mm, 0.5 * impact.hole_mm, 0.5 * std::max(spall, impact.hole_mm)};
-  const double widest = widest_mm(shape, -0.5 * pane.thickness_mm) + shot_hole_clearance_mm;
-  const double scale = std::min(1.0, limit_mm / widest);
-  shape.hole_radius_mm *= scale;
-  shape.spall_radius_mm *= scale;
-  return shape;
-}
-
-void add_zones(const Pane& pane, const CrackNetwork& network, std::uint64_t seed, CrackSurfaces& result) {
-  std::vector<int> radials(network.impacts.size(), 0);
-  for (const Crack& crack : network.cracks) {
-    if (crack.start.at == At::impact) ++radials[static_cast<std::size_t>(crack.impact)];
-  }
-  const std::vector<double> limits = zone_limits_mm(pane, network);
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    const double wanted = std::max(zone_thicknesses * pane.thickness_mm, ring_room_mm * radials[i] / (2.0 * pi));
-    const double radius = std::min(wanted, limits[i]);
-    result.zones.push_back({network.impacts[i].at_mm, radius, radius});
-    if (i >= pane.impacts.size() || pane.impacts[i].hole_mm == 0.0) continue;
-    const ShotHoleShape shape = shot_hole_shape(pane, pane.impacts[i], limits[i]);
-    if (shape.hole_radius_mm < least_hole_radius_mm) continue;
-    result.shot_holes.push_back(shot_hole(shape, seed, Id(pane.name).child("shot_hole").child(i)));
-    result.zones.back().radius_mm = widest_mm(shape, -0.5 * pane.thickness_mm) + shot_hole_clearance_mm;
-    result.zones.back().start_mm = widest_mm(shape, 0.5 * pane.thickness_mm) + shot_hole_clearance_mm;
-  }
-}
-
 }  // namespace
 
 CrackSurfaces crack_surfaces(const Pane& pane, const CrackNetwork& network, std::uint64_t seed) {
+  const auto now = pane.time_us ? std::optional(network_at(pane, network, *pane.time_us)) : std::nullopt;
   CrackSurfaces result;
   add_zones(pane, network, seed, result);
   const Builder builder(pane, network, result, seed);
-  std::vector<std::vector<Walls>> all(builder.count());
-  parallel_for(all.size(), [&](std::size_t i) { all[i] = builder.walls(i); });
+  const std::vector<std::vector<Walls>> all = builder.all_walls();
   std::vector<std::vector<CrackSurface>> surfaces(all.size());
   parallel_for(all.size(), [&](std::size_t i) {
     std::vector<Walls> own = all[i];
-    builder.cut(i, own, all);
+    if (now) builder.cut_to(i, *now, own);
     for (const Walls& walls : own) surfaces[i].push_back(builder.surface(i, walls));
   });
   for (std::vector<CrackSurface>& of_path : surfaces) {
     for (CrackSurface& surface : of_path) result.surfaces.push_back(std::move(surface));
   }
+  if (now) leave_out_later(now->impacts.size(), result);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "geometry/segment_distance.h"
 #include "glass/map/crack_paths.h"
 
@@ -89,6 +90,7 @@ double end_of_row(const Walls& walls, const std::vector<vec3>& wall, std::size_t
 // Columns up to `first` stay.
 void end_rows(Walls& walls, std::size_t first, const std::vector<double>& places) {
   const auto start = static_cast<double>(first);
+  ENSURE(!places.empty());
   const double least = *std::ranges::min_element(places);
   const auto count = static_cast<std::size_t>(std::ceil(*std::ranges::max_element(places) - start));
   Walls zone{walls.rows, {}, {}, {}};
@@ -177,7 +179,11 @@ void cut_end(Walls& walls, const Barrier& barrier, double zone_mm, double cleara
       }
     }
   }
-  end_rows(walls, first, places);
+  // Columns stay as far as all rows go on, so that the walls bend where they did.
+  ENSURE(!places.empty());
+  const double least = *std::ranges::min_element(places);
+  const bool early = least > static_cast<double>(first) + 1.0 + least_rest;
+  end_rows(walls, early ? static_cast<std::size_t>(least - least_rest) : first, places);
 }
 
 void cut_back(Walls& walls, const std::vector<double>& lags_mm) {
@@ -193,7 +199,7 @@ void cut_back(Walls& walls, const std::vector<double>& lags_mm) {
   end_rows(walls, first_column_of_zone(walls, 2.0 * longest), places);
 }
 
-void reverse(Walls& walls) {
+void reverse(Walls& walls, double length_mm) {
   const auto reversed = [&](const std::vector<vec3>& wall) {
     std::vector<vec3> result;
     for (std::size_t column = walls.columns(); column-- > 0;) {
@@ -204,9 +210,7 @@ void reverse(Walls& walls) {
   };
   walls.left = reversed(walls.left);
   walls.right = reversed(walls.right);
-  const double last = walls.along_mm.back();
-  const double first = walls.along_mm.front();
-  for (double& along : walls.along_mm) along = first + last - along;
+  for (double& along : walls.along_mm) along = length_mm - along;
   std::ranges::reverse(walls.along_mm);
 }
 

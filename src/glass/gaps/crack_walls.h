@@ -18,6 +18,7 @@ struct Walls {
   std::vector<double> along_mm;  // of each column
 
   std::size_t columns() const { return along_mm.size(); }
+  bool operator==(const Walls&) const = default;
 };
 
 // What walls end before, at a height z: pieces of lines in the plane, each from first to second.
@@ -38,7 +39,7 @@ void cut_end(Walls& walls, const Barrier& barrier, double zone_mm, double cleara
 // Cuts row r of the walls off `lags_mm[r]` before their end; columns of twice the longest of these are shared out anew.
 void cut_back(Walls& walls, const std::vector<double>& lags_mm);
 
-// The same walls from end to start; left and right stay what they were.
-void reverse(Walls& walls);
+// The same walls, of a path that is `length_mm` long, from end to start; left and right stay what they were.
+void reverse(Walls& walls, double length_mm);
 
 }  // namespace shatterpave::glass

@@ -9,10 +9,10 @@
 // - a weak pull keeps radials on their way out, however large the pane is (radial_pull);
 // - F2 between radials of one impact has a gain of its own (sibling_gain);
 // - the second stop rule spares ring cracks: stopped in the middle of a region they would float in the glass, touching nothing.
-// Beyond the paper, and none by default: radials that start late (radial_onset), branches (branch_rate_per_m), rings of pieces
-// in place of growing ones (Pattern::real). In F1 only the nearest tips count (nearest_tips), in F2 only the nearest crack:
-// with the square of the distance in the denominator the rest hardly shows, and where radials crowd about the impact all pairs
-// would be too many.
+// Beyond the paper, and none by default: radials that start late (radial_onset), branches (branch_rate_per_m), radials that die
+// on their way and rings of pieces in place of growing ones (Pattern::real). In F1 only the nearest tips count (nearest_tips),
+// in F2 only the nearest crack: with the square of the distance in the denominator the rest hardly shows, and where radials
+// crowd about the impact all pairs would be too many.
 #include "glass/growth/growth.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,8 @@
 #include "core/error.h"
 #include "geometry/predicates.h"
 #include "glass/growth/counts.h"
-#include "glass/growth/crater.h"
+#include "glass/growth/crack_chips.h"
+#include "glass/growth/real_radials.h"
 #include "glass/growth/ring_pieces.h"
 #include "glass/growth/steering.h"
 #include "glass/growth/tip.h"
@@ -46,12 +47,13 @@ constexpr std::size_t nearest_tips = 4;
 // so many units of the lattice that rounding swaps no two of them. At M = 100 that is the first 0.8 mm, at M = 10,000 80 mm.
 constexpr double least_spacing_mm = 0.05;
 
+// In strips narrower than this radials of real panes hardly turn, since tension round the impact drives them all outwards. By
+// eye.
+constexpr double free_strip_mm = 6.0;
+
 // Radials that stop while their neighbours are nearer than this, two units of the lattice, are left out: rounding could put
 // them on the wrong side of one another. At M = 100 that is within 0.03 mm of the impact.
 constexpr double least_order_mm = 0.002;
-
-// Pieces of a step shorter than this are not worth a vertex.
-constexpr double least_piece_mm = 0.02;
 
 // A crack needs this way to become so fast that it branches. By eye.
 constexpr double least_branching_mm = 12.0;
@@ -75,8 +77,13 @@ class PaneGrowth {
   ImpactCounts strike(int impact);
 
  private:
-  ImpactState initial_state(int impact);
+  // On the pane's clock, of a time after the impact in units of the model.
+  double time_us(int impact, double time) const {
+    return pane_.impacts[static_cast<std::size_t>(impact)].time_us + unit_us(growth_) * time;
+  }
   void start_radials(ImpactState& state);
+  void start_real_radials(ImpactState& state);
+  Tip radial_tip(const ImpactState& state, CrackMap::Hub hub, int number, bool large);
   void start_rings(ImpactState& state);
   void start_arms(ImpactState& state, const RingStart& start);
   void add(ImpactState& state, Tip tip) const;
@@ -90,9 +97,9 @@ class PaneGrowth {
   std::optional<Wall> crack_before(const Tip& tip, const Sector& sector) const;
   // Points of the lattice; empty where nothing is bordered.
   using Border = std::vector<LatticePoint>;
-  void extend(const Tip& tip, vec2 to_mm, const ImpactState& state);
+  void extend(const Tip& tip, vec2 to_mm, double time, const ImpactState& state);
   vec2 place(const Tip& tip, const ImpactState& state) const;
-  Border piece(const Tip& tip, vec2 to_mm);
+  Border piece(const Tip& tip, vec2 to_mm, double at_us);
   std::vector<const Tip*> growing_within(const Border& border, const ImpactState& state) const;
   void settle(const ImpactState& state);
   void lay_rings(ImpactState& state);
@@ -133,28 +140,6 @@ PaneGrowth::PaneGrowth(const Pane& pane, std::uint64_t seed, CrackMap& map)
   }
 }
 
-ImpactState PaneGrowth::initial_state(int impact) {
-  const Impact& cause = pane_.impacts[static_cast<std::size_t>(impact)];
-  ImpactState state;
-  state.index = impact;
-  state.id = Id(pane_.name).child("impact").child(static_cast<std::uint64_t>(impact));
-  state.at_mm = geometry::on_lattice(cause.at_mm);
-  state.counts = drawn_counts(cause, growth_, seed_, state.id);
-  if (pane_.pattern == Pattern::real) state.counts.circular_count = 0;
-  if (makes_crater(pane_)) state.counts.crater = crater_of(cause, pane_);
-  // Eq. 4, 7, 8.
-  const int r = state.counts.circular_count;
-  const double mean_mm = growth_.ring_radius_slope_mm * state.counts.radial_count + growth_.ring_radius_offset_mm;
-  const Id rings = state.id.child("ring");
-  const double phase = uniform(seed_, {Stream::first_direction, rings});
-  for (int i = 0; i < r; ++i) {
-    const Id ring = rings.child(static_cast<std::uint64_t>(i));
-    state.waiting.push_back(
-        {i, Angle::radians(2.0 * pi * (phase + i) / r), spread_about(mean_mm, growth_, seed_, {Stream::ring_radius, ring})});
-  }
-  return state;
-}
-
 // All M radials, at equal angles from a random first one, N large ones spread evenly among them (eq. 9, 10, Fig. 11).
 void PaneGrowth::start_radials(ImpactState& state) {
   const int m = state.counts.radial_count;
@@ -168,25 +153,46 @@ void PaneGrowth::start_radials(ImpactState& state) {
   state.tips.reserve(static_cast<std::size_t>(m) + 2 * static_cast<std::size_t>(state.counts.circular_count));
   state.growing.reserve(state.tips.capacity());
   for (int k = 0; k < m; ++k) {
-    const bool large = is_large[static_cast<std::size_t>(k)];
-    Tip tip;
-    tip.kind = large ? CrackKind::large : CrackKind::radial;
-    tip.id = radials.child(static_cast<std::uint64_t>(k));
-    tip.crack = map_.start(hub, tip.kind, state.index, CrackEnd::At::impact);
-    tip.at_mm = tip.start_mm = state.at_mm;
+    Tip tip = radial_tip(state, hub, k, is_large[static_cast<std::size_t>(k)]);
     tip.heading = Angle::radians(2.0 * pi * (first + k) / m).direction();
-    tip.speed_mm = px_mm * (large ? spread_about(growth_.large_speed, growth_, seed_, {Stream::large_speed, tip.id})
-                                  : spread_about(growth_.radial_speed, growth_, seed_, {Stream::radial_speed, tip.id}));
-    tip.first_mm = std::max(step_mm_, least_spacing_mm * m / (2.0 * pi));
-    if (!large && growth_.radial_onset > 0.0) {
-      tip.onset = growth_.radial_onset * uniform(seed_, {Stream::radial_onset, tip.id});
-    }
+    tip.way_mm = std::max(step_mm_, least_spacing_mm * m / (2.0 * pi));
+    add(state, tip);
+  }
+}
+
+// A radial that has not grown yet.
+Tip PaneGrowth::radial_tip(const ImpactState& state, CrackMap::Hub hub, int number, bool large) {
+  Tip tip;
+  tip.kind = large ? CrackKind::large : CrackKind::radial;
+  tip.id = state.id.child("radial").child(static_cast<std::uint64_t>(number));
+  tip.at_mm = tip.start_mm = state.at_mm;
+  tip.speed_mm = px_mm * (large ? spread_about(growth_.large_speed, growth_, seed_, {Stream::large_speed, tip.id})
+                                : spread_about(growth_.radial_speed, growth_, seed_, {Stream::radial_speed, tip.id}));
+  if (!large && growth_.radial_onset > 0.0) {
+    tip.onset = growth_.radial_onset * uniform(seed_, {Stream::radial_onset, tip.id});
+  }
+  tip.crack = map_.start(hub, tip.kind, state.index, CrackEnd::At::impact, time_us(state.index, tip.onset));
+  return tip;
+}
+
+// Those of real panes.
+void PaneGrowth::start_real_radials(ImpactState& state) {
+  const double first_mm = first_real_step_mm(state.counts.radial_count);
+  std::vector<RadialCourse> courses = courses_of(pane_, state, seed_, first_mm);
+  const CrackMap::Hub hub = map_.add_hub(geometry::to_lattice(state.at_mm));
+  for (int k = 0; k < state.counts.radial_count; ++k) {
+    RadialCourse& course = courses[static_cast<std::size_t>(k)];
+    Tip tip = radial_tip(state, hub, k, course.large);
+    tip.speed_mm *= course.speed_share;
+    tip.heading = course.direction.direction();
+    tip.way_mm = first_mm;
+    tip.course = std::move(course);
     add(state, tip);
   }
 }
 
 void PaneGrowth::add(ImpactState& state, Tip tip) const {
-  tip.due = state.now + tip.onset + tip.first_mm / tip.speed_mm;
+  tip.due = state.now + tip.onset + tip.way_mm / tip.speed_mm;
   tip.decay = inertia(step_mm_ / tip.speed_mm, growth_);
   const int number = static_cast<int>(state.tips.size());
   state.places.put(number, tip.at_mm);
@@ -227,21 +233,22 @@ void PaneGrowth::start_arms(ImpactState& state, const RingStart& start) {
     Tip tip;
     tip.kind = CrackKind::circular;
     tip.id = ring.child(counter_clockwise ? 0 : 1);
-    tip.crack = map_.start(hub, tip.kind, state.index, CrackEnd::At::ring);
+    tip.crack = map_.start(hub, tip.kind, state.index, CrackEnd::At::ring, time_us(state.index, state.now));
     tip.at_mm = tip.start_mm = geometry::to_mm(at);
     tip.ring = Ring{state.at_mm, start.radius_mm, counter_clockwise};
     tip.heading = direction_along(*tip.ring, tip.at_mm);
     tip.speed_mm = px_mm * speed;
-    tip.first_mm = step_mm_;
+    tip.way_mm = step_mm_;
     add(state, tip);
   }
 }
 
-// "Growth ends when all large and ring cracks have stopped" (§4.3). Where an impact has neither, its radials grow until they
-// have stopped.
+// "Growth ends when all large and ring cracks have stopped" (§4.3). Where an impact has neither, and in real panes, its radials
+// grow until they have stopped.
 bool PaneGrowth::is_over(const ImpactState& state) const {
   if (!state.waiting.empty()) return false;
-  const bool radials_only = state.counts.large_count == 0 && state.counts.circular_count == 0;
+  const bool radials_only =
+      pane_.pattern == Pattern::real || (state.counts.large_count == 0 && state.counts.circular_count == 0);
   return std::ranges::none_of(state.growing, [&](int number) {
     return radials_only || state.tips[static_cast<std::size_t>(number)].kind != CrackKind::radial;
   });
@@ -267,7 +274,7 @@ vec2 PaneGrowth::force_on(const Tip& tip, const Sector& sector, const ImpactStat
   Sight seen;
   std::array<geometry::PointIndex::Found, nearest_tips> found;
   std::array<vec2, nearest_tips> tips_mm;
-  const std::size_t count = growth_.tip_gain > 0.0 ? state.places.nearest_in(sector, found) : 0;
+  const std::size_t count = growth_.tip_gain != 0.0 ? state.places.nearest_in(sector, found) : 0;
   for (std::size_t i = 0; i < count; ++i) tips_mm[i] = state.places.at(found[i].number) - tip.at_mm;
   seen.tips_mm = std::span(tips_mm).first(count);
   const auto edge = edge_.nearest_in(sector, [](const geometry::Segment&) { return true; });
@@ -285,28 +292,36 @@ vec2 PaneGrowth::force_on(const Tip& tip, const Sector& sector, const ImpactStat
 // Eq. 12 to 16. To follow its circle is no turn for a ring crack: it bends with it whatever its age.
 void PaneGrowth::steer(Tip& tip, const ImpactState& state) const {
   if (tip.ring) tip.heading = bent_along(*tip.ring, tip.heading, step_mm_);
+  if (tip.course) tip.heading = turned(tip.heading, Angle::radians(tip.course->sweep_per_mm * tip.way_mm));
+  const double step_px = tip.course ? tip.way_mm / px_mm : growth_.step_length;
   const Sector sector(tip.at_mm, tip.heading, sight_);
   const double deviate = normal(seed_, {Stream::turn, tip.id, tip.steps});
   const vec2 drive = tip.ring ? growth_.ring_pull * direction_along(*tip.ring, tip.at_mm)
                               : growth_.radial_pull * glm::normalize(tip.at_mm - tip.start_mm);
-  const vec2 force = force_on(tip, sector, state) + wandering_force(tip.heading, deviate, growth_.step_length, growth_) + drive;
-  tip.heading = glm::normalize(turned(tip.heading, turn(force, tip.heading, 1.0 - tip.inertia, growth_.step_length, growth_)));
+  const vec2 force = force_on(tip, sector, state) + wandering_force(tip.heading, deviate, step_px, growth_) + drive;
+  double weight = 1.0 - tip.inertia;
+  if (tip.course) weight *= std::min(1.0, 2.0 * pi * tip.length_mm / (state.counts.radial_count * free_strip_mm));
+  tip.heading = glm::normalize(turned(tip.heading, turn(force, tip.heading, weight, step_px, growth_)));
 }
 
 // Eq. 17, and the stop rules of §4.2.3. The first step goes straight, and so does the first after a branch.
 void PaneGrowth::step(Tip& tip, ImpactState& state) {
   const bool first = tip.steps == 0;
-  const double way_mm = first ? tip.first_mm : step_mm_;
+  const double way_mm = tip.way_mm;
   if (!first && !tip.straight) steer(tip, state);
   tip.straight = false;
   tip.at_mm += way_mm * tip.heading;
   tip.length_mm += way_mm;
-  tip.inertia *= first ? inertia(way_mm / tip.speed_mm, growth_) : tip.decay;
-  tip.due += step_mm_ / tip.speed_mm;
+  tip.inertia *= first || tip.course ? inertia(way_mm / tip.speed_mm, growth_) : tip.decay;
+  tip.way_mm = step_mm_;
+  if (tip.course) follow_course(tip, step_mm_);
+  const double done = tip.due;
+  tip.due += tip.way_mm / tip.speed_mm;
   ++tip.steps;
-  extend(tip, tip.at_mm, state);
+  extend(tip, tip.at_mm, done, state);
   if (!map_.is_growing(tip.crack)) return;
-  if (tip.length_mm > longest_mm_)
+  const bool arrests = tip.veered && tip.course->arrests;
+  if (arrests || tip.length_mm > longest_mm_)
     map_.stop(tip.crack, CrackEnd::At::open);
   else if (growth_.branch_rate_per_m > 0.0)
     branch(tip, way_mm, state);
@@ -324,28 +339,29 @@ void PaneGrowth::branch(Tip& tip, double way_mm, ImpactState& state) {
   Tip fresh;
   fresh.kind = CrackKind::branch;
   fresh.id = tip.id.child("branch").child(tip.steps);
-  fresh.crack = map_.start(map_.add_hub(at), fresh.kind, state.index, CrackEnd::At::crack);
+  fresh.crack = map_.start(map_.add_hub(at), fresh.kind, state.index, CrackEnd::At::crack, time_us(state.index, state.now));
   fresh.at_mm = fresh.start_mm = geometry::to_mm(at);
   fresh.heading = turned(tip.heading, side * branch_turn * angle);
   fresh.speed_mm = tip.speed_mm;
-  fresh.first_mm = step_mm_;
+  fresh.way_mm = step_mm_;
   state.branches.push_back(fresh);
   tip.heading = turned(tip.heading, side * (branch_turn - 1.0) * angle);
   tip.straight = true;
 }
 
-// Leads the crack to where its tip is by now, if nothing is in the way. Where that closes a region, every tip inside it stops
-// (§4.2.3 (2)).
-void PaneGrowth::extend(const Tip& tip, vec2 to_mm, const ImpactState& state) {
+// Leads the crack to where its tip came to be at `time`, if nothing is in the way. Where that closes a region, every tip inside
+// it stops (§4.2.3 (2)).
+void PaneGrowth::extend(const Tip& tip, vec2 to_mm, double time, const ImpactState& state) {
+  const double now_us = time_us(state.index, state.now);
   std::vector<Border> closed;
-  if (Border border = piece(tip, to_mm); !border.empty()) closed.push_back(std::move(border));
+  if (Border border = piece(tip, to_mm, time_us(state.index, time)); !border.empty()) closed.push_back(std::move(border));
   while (!closed.empty()) {
     const Border border = std::move(closed.back());
     closed.pop_back();
     for (const Tip* inside : growing_within(border, state)) {
       if (!map_.is_growing(inside->crack)) continue;  // met by one of the others
       // What the tip has gone since its last step still belongs to it, and may close another region.
-      if (Border next = piece(*inside, place(*inside, state)); !next.empty()) closed.push_back(std::move(next));
+      if (Border next = piece(*inside, place(*inside, state), now_us); !next.empty()) closed.push_back(std::move(next));
       if (map_.is_growing(inside->crack)) map_.stop(inside->crack, CrackEnd::At::enclosed);
     }
   }
@@ -353,21 +369,21 @@ void PaneGrowth::extend(const Tip& tip, vec2 to_mm, const ImpactState& state) {
 
 // Where the tip is between two steps.
 vec2 PaneGrowth::place(const Tip& tip, const ImpactState& state) const {
-  const double way_mm = tip.steps == 0 ? tip.first_mm : step_mm_;
-  const double gone_mm = std::clamp(way_mm - (tip.due - state.now) * tip.speed_mm, 0.0, way_mm);
+  const double gone_mm = std::clamp(tip.way_mm - (tip.due - state.now) * tip.speed_mm, 0.0, tip.way_mm);
   const double least_mm = tip.steps == 0 ? least_order_mm * state.counts.radial_count / (2.0 * pi) : 0.0;
   return gone_mm < std::max(least_piece_mm, least_mm) ? tip.at_mm : tip.at_mm + gone_mm * tip.heading;
 }
 
 // Adds the way from the last vertex of the crack to `to_mm`. Returns the border of the region that this closed; empty if none.
-PaneGrowth::Border PaneGrowth::piece(const Tip& tip, vec2 to_mm) {
+PaneGrowth::Border PaneGrowth::piece(const Tip& tip, vec2 to_mm, double at_us) {
   const LatticePoint from = map_.tip(tip.crack);
-  std::optional<Arrest> arrest = map_.extend(tip.crack, geometry::to_lattice(to_mm));
+  std::optional<Arrest> arrest = map_.extend(tip.crack, geometry::to_lattice(to_mm), at_us);
   const LatticePoint to = map_.tip(tip.crack);
   if (tip.ring && to != from) obstacles_.add({from, to, tip.crack});
   return arrest ? std::move(arrest->closed_region) : Border{};
 }
 
+// Radials of real panes are spared, too: they run on to what encloses them.
 // One that has not gone yet lies on the border of whatever is closed about its impact: it is looked for in front of its start,
 // on a finer lattice, since there regions are narrow.
 std::vector<const Tip*> PaneGrowth::growing_within(const Border& border, const ImpactState& state) const {
@@ -381,7 +397,7 @@ std::vector<const Tip*> PaneGrowth::growing_within(const Border& border, const I
     const Tip& tip = state.tips[static_cast<std::size_t>(number)];
     const vec2 at = tip.steps > 0 ? geometry::to_mm(map_.tip(tip.crack)) : tip.at_mm + least_piece_mm * tip.heading;
     const bool near = glm::all(glm::greaterThan(at, box.low)) && glm::all(glm::lessThan(at, box.high));
-    if (!near || tip.kind == CrackKind::circular || !map_.is_growing(tip.crack)) return;
+    if (!near || tip.kind == CrackKind::circular || tip.course || !map_.is_growing(tip.crack)) return;
     if (geometry::contains(region, finer * at)) found.push_back(&tip);
   });
   return found;
@@ -422,7 +438,7 @@ void PaneGrowth::settle(const ImpactState& state) {
       if (map_.is_growing(tip.crack)) act(tip);
     }
   };
-  still_growing([&](const Tip& tip) { extend(tip, place(tip, state), state); });
+  still_growing([&](const Tip& tip) { extend(tip, place(tip, state), state.now, state); });
   still_growing([&](const Tip& tip) { map_.stop(tip.crack, CrackEnd::At::open); });
   if (state.index + 1 == static_cast<int>(pane_.impacts.size())) return;
   for (const Tip& tip : state.tips) {
@@ -439,12 +455,17 @@ void PaneGrowth::lay_rings(ImpactState& state) {
   for (const int arm : arms) {
     for (const int piece : map_.pieces(arm)) obstacles_.add(map_.segment(piece));
   }
+  lay_chips(radials, {state.index, state.id, state.at_mm}, ring_speed_mm_us(growth_), seed_, map_);
   state.counts.circular_count = static_cast<int>(arms.size() / 2);
 }
 
 ImpactCounts PaneGrowth::strike(int impact) {
-  ImpactState state = initial_state(impact);
-  start_radials(state);
+  ImpactState state = initial_state(pane_, impact, seed_);
+  if (pane_.pattern == Pattern::real) {
+    start_real_radials(state);
+  } else {
+    start_radials(state);
+  }
   while (!is_over(state)) go_on(state);
   settle(state);
   if (pane_.pattern == Pattern::real) lay_rings(state);
@@ -472,7 +493,7 @@ void require_few_steps(const Pane& pane) {
 CrackNetwork grown_cracks(const Pane& pane, std::uint64_t seed) {
   CrackMap map(pane.outline_mm, narrow_cell_mm);
   std::vector<ImpactCounts> counts = grow(pane, seed, map);
-  return {std::move(counts), map.cracks()};
+  return {std::move(counts), map.cracks(pane.time_us.has_value())};
 }
 
 }  // namespace shatterpave::glass

@@ -18,7 +18,7 @@ struct RingCentre {
 };
 
 // Adds the pieces to the map, each as two arms of a starting point between two radials, which grow until they meet what is in
-// their way. Returns the arms, two after two.
+// their way. Each starts when both radials have gone by, at the speed of ring cracks. Returns the arms, two after two.
 //   radials  cracks of the map that have come to their end: all that pieces may reach from one to another
 std::vector<int> lay_ring_pieces(const Pane& pane, const RingCentre& centre, std::span<const int> radials, std::uint64_t seed,
                                  CrackMap& map);

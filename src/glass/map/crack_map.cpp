@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 #include "geometry/predicates.h"
+#include "geometry/segment_distance.h"
 
 namespace shatterpave::glass {
 
@@ -87,6 +89,11 @@ bool is_beside(LatticePoint p, const Segment& segment) {
   if (along < 0) return distance <= 1;
   if (along > length) return dot(segment.b, p, p) <= 1;
   return distance * length - along * along <= length;
+}
+
+// When a tip that goes `way_mm` from one time to another, at one speed, has gone the first `gone_mm` of them.
+double time_between(double from_us, double to_us, double gone_mm, double way_mm) {
+  return way_mm > 0.0 ? from_us + std::clamp(gone_mm / way_mm, 0.0, 1.0) * (to_us - from_us) : from_us;
 }
 
 std::vector<int> distinct(std::vector<int> numbers) {
@@ -168,7 +175,7 @@ bool CrackMap::is_barred(LatticePoint from, LatticePoint to, int impact) const {
   return barred;
 }
 
-int CrackMap::start(Hub hub, CrackKind kind, int impact, CrackEnd::At start) {
+int CrackMap::start(Hub hub, CrackKind kind, int impact, CrackEnd::At start, double at_us) {
   ENSURE(start != CrackEnd::At::crack || hubs_[static_cast<std::size_t>(hub)].crack >= 0);
   const int crack = static_cast<int>(cracks_.size());
   Record& fresh = cracks_.push_back({});
@@ -177,6 +184,8 @@ int CrackMap::start(Hub hub, CrackKind kind, int impact, CrackEnd::At start) {
   fresh.hub = hub;
   fresh.node = graph_.add();
   fresh.pieces.reserve(usual_piece_count);
+  fresh.times_us.reserve(usual_piece_count + 1);
+  fresh.times_us.push_back(at_us);
   fresh.start = start;
   crack_of_node_.push_back(crack);
   graph_.connect(fresh.node, hubs_[static_cast<std::size_t>(hub)].node, origin(fresh));
@@ -233,13 +242,41 @@ bool CrackMap::can_join(LatticePoint from, LatticePoint joint, int met) const {
   return !overlap(joint, segment.a, segment.b) && is_free(segment.a, joint, met) && is_free(joint, segment.b, met);
 }
 
-std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to) {
+void CrackMap::append(int crack, LatticePoint to, double at_us) {
+  const int piece = index_.add({tip(crack), to, crack});
+  record(crack).pieces.push_back(piece);
+  record(crack).times_us.push_back(at_us);
+}
+
+double CrackMap::time_us(int crack, LatticePoint p) const {
+  const Record& asked = record(crack);
+  const vec2 place = geometry::to_mm(p);
+  double nearest_mm = std::numeric_limits<double>::infinity();
+  double time = asked.times_us.front();
+  for (std::size_t i = 0; i < asked.pieces.size(); ++i) {
+    const Segment piece = segment(asked.pieces[i]);
+    const vec2 a = geometry::to_mm(piece.a);
+    const vec2 b = geometry::to_mm(piece.b);
+    const vec2 nearest = geometry::nearest_on_segment(place, a, b);
+    const double distance_mm = glm::length(nearest - place);
+    if (distance_mm >= nearest_mm) continue;
+    nearest_mm = distance_mm;
+    time = time_between(asked.times_us[i], asked.times_us[i + 1], glm::length(nearest - a), glm::length(b - a));
+  }
+  return time;
+}
+
+std::optional<Arrest> CrackMap::run(int crack, LatticePoint to, double speed_mm_us) {
+  return extend(crack, to, tip_us(crack) + glm::length(geometry::to_mm(to) - geometry::to_mm(tip(crack))) / speed_mm_us);
+}
+
+std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to, double at_us) {
   ENSURE(record(crack).growing);
   const LatticePoint from = tip(crack);
   if (from == to) return std::nullopt;
   const std::vector<Hit> in_the_way = hits(from, to);
   if (in_the_way.empty()) {
-    record(crack).pieces.push_back(index_.add({from, to, crack}));
+    append(crack, to, at_us);
     return std::nullopt;
   }
   const vec2 start{static_cast<double>(from.x), static_cast<double>(from.y)};
@@ -248,7 +285,11 @@ std::optional<Arrest> CrackMap::extend(int crack, LatticePoint to) {
     // To end where it is, it must have a length, and meet more than its own last piece.
     const bool can_stay = !pieces(crack).empty() && pieces(crack).back() != hit.segment;
     for (const LatticePoint joint : candidate_joints(start + hit.share * way, index_.segment(hit.segment))) {
-      if ((joint != from || can_stay) && can_join(from, joint, hit.segment)) return join(crack, joint, hit.segment);
+      if ((joint != from || can_stay) && can_join(from, joint, hit.segment)) {
+        const double gone_mm = glm::length(geometry::to_mm(joint) - geometry::to_mm(from));
+        const double way_mm = glm::length(geometry::to_mm(to) - geometry::to_mm(from));
+        return join(crack, joint, hit.segment, time_between(tip_us(crack), at_us, gone_mm, way_mm));
+      }
     }
   }
   // Nothing about can be moved by a lattice unit: the crack ends short of what it was to meet.
@@ -267,10 +308,10 @@ int CrackMap::ended_at(LatticePoint at, int but) const {
 }
 
 // Ends the crack at `joint` on the segment `met`.
-Arrest CrackMap::join(int crack, LatticePoint joint, int met) {
+Arrest CrackMap::join(int crack, LatticePoint joint, int met, double at_us) {
   Record& ending = record(crack);
   const Segment segment = index_.segment(met);
-  if (const LatticePoint from = tip(crack); joint != from) ending.pieces.push_back(index_.add({from, joint, crack}));
+  if (joint != tip(crack)) append(crack, joint, at_us);
   ending.growing = false;
   const bool at_edge = segment.owner == edge_owner;
   const int touched = at_edge ? ended_at(joint, crack) : segment.owner;
@@ -298,8 +339,13 @@ void CrackMap::stop(int crack, CrackEnd::At at) {
 void CrackMap::insert_vertex(int segment, LatticePoint point) {
   const Segment old = index_.segment(segment);
   std::vector<int>& pieces = record(old.owner).pieces;
+  std::vector<double>& times_us = record(old.owner).times_us;
   const auto place = std::ranges::find(pieces, segment);
   ENSURE(place != pieces.end());
+  const auto time = times_us.begin() + (place - pieces.begin());
+  const vec2 a = geometry::to_mm(old.a);
+  times_us.insert(time + 1, time_between(*time, *(time + 1), glm::length(geometry::to_mm(point) - a),
+                                         glm::length(geometry::to_mm(old.b) - a)));
   index_.remove(segment);
   *place = index_.add({old.a, point, old.owner});
   pieces.insert(place + 1, index_.add({point, old.b, old.owner}));
@@ -344,7 +390,7 @@ std::vector<LatticePoint> CrackMap::closed_region(int crack, int met) {
   return border;
 }
 
-std::vector<Crack> CrackMap::cracks() const {
+std::vector<Crack> CrackMap::cracks(bool with_times) const {
   std::vector<int> ids(cracks_.size(), -1);
   int next = 0;
   for (std::size_t i = 0; i < cracks_.size(); ++i) {
@@ -362,6 +408,8 @@ std::vector<Crack> CrackMap::cracks() const {
     crack.points_mm.reserve(record.pieces.size() + 1);
     crack.points_mm.push_back(geometry::to_mm(origin(record)));
     for (const int piece : record.pieces) crack.points_mm.push_back(geometry::to_mm(segment(piece).b));
+    crack.through = record.kind != CrackKind::chip;
+    if (with_times) crack.times_us = record.times_us;
     if (crack.end.crack) crack.end.crack = ids[static_cast<std::size_t>(*crack.end.crack)];
     result.push_back(std::move(crack));
   }

@@ -41,12 +41,16 @@ class CrackMap {
   bool is_barred(geometry::LatticePoint from, geometry::LatticePoint to, int impact) const;
 
   // A new crack that starts at the hub, which for At::crack lay on one when it was added. Cracks are numbered from 0.
-  int start(Hub hub, CrackKind kind, int impact, CrackEnd::At start);
+  //   at_us  when it starts; zeros where nobody asks for times
+  int start(Hub hub, CrackKind kind, int impact, CrackEnd::At start, double at_us = 0.0);
 
   // Lets a growing crack go straight on to `to`. If nothing is in the way, adds that vertex and returns nothing; else ends the
   // crack where it first meets a crack or the edge: on the edge, within 1 µm of it and not outside. A growing crack whose tip
   // is met ends there as well.
-  std::optional<Arrest> extend(int crack, geometry::LatticePoint to);
+  //   at_us  when it comes to `to`, at one speed all the way; not before it came to its tip
+  std::optional<Arrest> extend(int crack, geometry::LatticePoint to, double at_us = 0.0);
+  // The same at a speed, > 0.
+  std::optional<Arrest> run(int crack, geometry::LatticePoint to, double speed_mm_us);
   // Ends a growing crack that has met nothing.
   void stop(int crack, CrackEnd::At at);
 
@@ -67,11 +71,15 @@ class CrackMap {
   }
   // The numbers of its segments, from its start to its tip: each begins where the one before ends.
   std::span<const int> pieces(int crack) const { return record(crack).pieces; }
+  // When the crack came to its tip; and to the place on it that is nearest to `p`.
+  double tip_us(int crack) const { return record(crack).times_us.back(); }
+  double time_us(int crack, geometry::LatticePoint p) const;
   // Its start, and the end of each of its pieces.
   std::vector<geometry::LatticePoint> points(int crack) const;
 
   // All cracks, in the order in which they started, but those that had no room for a second point.
-  std::vector<Crack> cracks() const;
+  //   with_times  with the times that tips came to their points
+  std::vector<Crack> cracks(bool with_times = false) const;
 
  private:
   static constexpr int edge_owner = -1;
@@ -83,6 +91,7 @@ class CrackMap {
     int node = 0;  // in the graph of contacts
     bool growing = true;
     std::vector<int> pieces;
+    std::vector<double> times_us;  // of its start, and of the end of each piece
     CrackEnd::At start = CrackEnd::At::impact;
     CrackEnd end;
   };
@@ -106,7 +115,8 @@ class CrackMap {
   bool is_free(geometry::LatticePoint from, geometry::LatticePoint to, int except) const;
   bool can_join(geometry::LatticePoint from, geometry::LatticePoint joint, int met) const;
   int ended_at(geometry::LatticePoint at, int but) const;
-  Arrest join(int crack, geometry::LatticePoint joint, int met);
+  Arrest join(int crack, geometry::LatticePoint joint, int met, double at_us);
+  void append(int crack, geometry::LatticePoint to, double at_us);
   void insert_vertex(int segment, geometry::LatticePoint point);
   std::vector<geometry::LatticePoint> closed_region(int crack, int met);
   void walk(int node, geometry::LatticePoint from, geometry::LatticePoint to,

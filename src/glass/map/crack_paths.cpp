@@ -30,10 +30,10 @@ std::vector<int> order_of_precedence(const CrackNetwork& network) {
   for (const Crack& crack : network.cracks) {
     std::vector<int> waiting;
     int id = crack.id;
-    while (!reached[static_cast<std::size_t>(id)]) {
-      reached[static_cast<std::size_t>(id)] = true;
+    for (std::size_t at = network.index_of(id); !reached[at]; at = network.index_of(id)) {
+      reached[at] = true;
       waiting.push_back(id);
-      id = network.cracks[static_cast<std::size_t>(id)].end.crack.value_or(id);
+      id = network.cracks[at].end.crack.value_or(id);
     }
     order.insert(order.end(), waiting.rbegin(), waiting.rend());
   }
@@ -46,7 +46,7 @@ std::vector<CrackPath> crack_paths(const CrackNetwork& network) {
   std::vector<CrackPath> result;
   std::map<geometry::LatticePoint, std::size_t> first_arms;
   for (const int id : order_of_precedence(network)) {
-    const Crack& crack = network.cracks[static_cast<std::size_t>(id)];
+    const Crack& crack = network.crack(id);
     const geometry::LatticePoint start = geometry::to_lattice(crack.points_mm.front());
     const bool arm = crack.start.at == CrackEnd::At::ring;
     const auto other = arm ? first_arms.find(start) : first_arms.end();

@@ -7,11 +7,12 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/disjoint_sets.h"
-#include "core/error.h"
 #include "core/parallel.h"
+#include "geometry/clip.h"
 #include "geometry/segment_distance.h"
 #include "geometry/segment_index.h"
 #include "glass/map/crack_paths.h"
@@ -55,16 +56,31 @@ void number_by(const std::vector<std::size_t>& numbers, geometry::Face& face) {
 
 struct Body {
   Shard shard;
-  std::size_t first = 0;  // of its pieces
+  std::vector<std::size_t> pieces;
 };
 
-// The part in which most of the piece's corners lie: cutting rounds, so that some may lie 1 µm outside.
-std::size_t part_about(const Region& piece, const std::vector<Region>& parts) {
+// What both have in common.
+double common_mm2(const Region& a, const Region& b) {
+  if (!geometry::boxes_meet(geometry::bounding_box(a.outline), geometry::bounding_box(b.outline))) return 0.0;
+  double sum = 0.0;
+  for (const Region& one : geometry::intersection(a, b)) sum += geometry::area(one);
+  return sum;
+}
+
+// The part in which most of the piece's corners lie: cutting rounds, so that some may lie 1 µm outside. All of them may where
+// nothing of the piece but its border is that of the part: then that which has half of it. None where the cut has left nothing
+// there.
+std::optional<std::size_t> part_about(const Region& piece, const std::vector<Region>& parts) {
   std::vector<std::ptrdiff_t> inside(parts.size());
   std::ranges::transform(parts, inside.begin(), [&](const Region& part) {
     return std::ranges::count_if(piece.outline, [&](vec2 p) { return geometry::contains(part, p); });
   });
-  return static_cast<std::size_t>(std::ranges::max_element(inside) - inside.begin());
+  const auto most = std::ranges::max_element(inside);
+  if (most != inside.end() && *most > 0) return static_cast<std::size_t>(most - inside.begin());
+  const double half_mm2 = 0.5 * geometry::area(piece);
+  const auto about = std::ranges::find_if(parts, [&](const Region& part) { return common_mm2(part, piece) > half_mm2; });
+  if (about == parts.end()) return std::nullopt;
+  return static_cast<std::size_t>(about - parts.begin());
 }
 
 // Whether points lie on the border of a region, but for what cutting rounds.
@@ -112,7 +128,7 @@ Chips chips_left(const Region& region, const std::vector<const ShardPiece*>& pie
 }
 
 Shard joined_body(const Pane& pane, const FacedPane& faced, const JoinedFace& joined, Region part,
-                  const std::vector<const ShardPiece*>& pieces, std::uint64_t seed) {
+                  const std::vector<const ShardPiece*>& pieces, std::uint64_t seed, const Lean& lean) {
   ShardPiece piece = piece_of(pane, joined.face, faced.segments, std::move(part), pieces.front()->id);
   Shard shard;
   shard.id = piece.id;
@@ -120,25 +136,29 @@ Shard joined_body(const Pane& pane, const FacedPane& faced, const JoinedFace& jo
     for (const ShardPiece* one : pieces) shard.joined.push_back(one->id);
   }
   shard.frame_mm = piece.frame_mm;
-  shard.solid = shard_solid(piece.blank, *pane.shards, chips_left(piece.blank.region, pieces, *pane.shards, seed));
+  shard.solid = shard_solid(piece.blank, *pane.shards, chips_left(piece.blank.region, pieces, *pane.shards, seed), lean);
   shard.face = std::move(piece.blank.region);
   return shard;
 }
 
-std::vector<Body> bodies_of(const Pane& pane, const FacedPane& faced, const JoinedFace& joined,
-                            const std::vector<ShardPiece>& pieces, std::uint64_t seed) {
-  std::vector<Region> parts = parts_of(joined.face, faced.segments, *pane.shards);
-  ENSURE(!parts.empty());
-  std::vector<std::vector<const ShardPiece*>> within(parts.size());
-  for (const ShardPiece& piece : pieces) {
-    if (!std::ranges::binary_search(joined.faces, piece.face)) continue;
-    within[parts.size() == 1 ? 0 : part_about(piece.blank.region, parts)].push_back(&piece);
+// The bodies of the face. Pieces of it may be in none: what the hole takes off a piece may be too little for a cut, and enough
+// where several are one.
+std::vector<Body> bodies_of(const Pane& pane, const FacedPane& faced, const JoinedFace& joined, const std::vector<Region>& hole,
+                            const std::vector<ShardPiece>& pieces, std::uint64_t seed, const Lean& lean) {
+  // Where pieces stand that are less than a splinter, so do bodies of them.
+  const ShardRules rules = rules_of_standing(*pane.shards, hole);
+  std::vector<Region> parts = cut_parts(parts_of(joined.face, faced.segments, rules), hole, rules).outside;
+  std::vector<std::vector<std::size_t>> within(parts.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (pieces[i].leaves || !std::ranges::binary_search(joined.faces, pieces[i].face)) continue;
+    if (const auto part = part_about(pieces[i].blank.region, parts)) within[*part].push_back(i);
   }
   std::vector<Body> bodies;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (within[i].empty()) continue;  // splinters side by side
-    bodies.push_back({joined_body(pane, faced, joined, std::move(parts[i]), within[i], seed),
-                      static_cast<std::size_t>(within[i].front() - pieces.data())});
+    std::vector<const ShardPiece*> some(within[i].size());
+    std::ranges::transform(within[i], some.begin(), [&](std::size_t piece) { return &pieces[piece]; });
+    bodies.push_back({joined_body(pane, faced, joined, std::move(parts[i]), some, seed, lean), std::move(within[i])});
   }
   return bodies;
 }
@@ -172,32 +192,33 @@ std::vector<JoinedFace> joined_faces(const FacedPane& faced, const std::vector<b
   return result;
 }
 
-std::vector<Shard> joined_shards(const Pane& pane, const FacedPane& faced, const std::vector<ShardPiece>& pieces,
-                                 std::vector<Shard> shards, std::uint64_t seed) {
+std::vector<Shard> joined_shards(const Pane& pane, const FacedPane& faced, const std::vector<Region>& hole,
+                                 const std::vector<ShardPiece>& pieces, std::vector<Shard> shards, std::uint64_t seed,
+                                 const Lean& lean) {
   std::vector<bool> stands(faced.faces.size(), false);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (shards[i].state == ShardState::standing) stands[pieces[i].face] = true;
   }
   const std::vector<JoinedFace> joined = joined_faces(faced, stands);
-  std::vector<bool> is_joined(faced.faces.size(), false);
-  for (const JoinedFace& one : joined) {
-    for (const std::size_t face : one.faces) is_joined[face] = true;
-  }
   std::vector<std::vector<Body>> bodies(joined.size());
-  parallel_for(joined.size(), [&](std::size_t i) { bodies[i] = bodies_of(pane, faced, joined[i], pieces, seed); });
-  std::map<std::size_t, Shard> body_at;
+  parallel_for(joined.size(), [&](std::size_t i) { bodies[i] = bodies_of(pane, faced, joined[i], hole, pieces, seed, lean); });
+  std::vector<bool> is_joined(pieces.size(), false);
+  std::map<std::size_t, Shard> body_at;  // by its first piece
   for (std::vector<Body>& some : bodies) {
-    for (Body& one : some) body_at[one.first] = std::move(one.shard);
+    for (Body& one : some) {
+      for (const std::size_t piece : one.pieces) is_joined[piece] = true;
+      body_at[one.pieces.front()] = std::move(one.shard);
+    }
   }
   parallel_for(pieces.size(), [&](std::size_t i) {
-    if (!is_joined[pieces[i].face])
-      shards[i].solid = shard_solid(pieces[i].blank, *pane.shards, chips(pieces[i].blank, *pane.shards, seed));
+    if (!is_joined[i])
+      shards[i].solid = shard_solid(pieces[i].blank, *pane.shards, chips(pieces[i].blank, *pane.shards, seed), lean);
   });
   std::vector<Shard> result;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (const auto body = body_at.find(i); body != body_at.end()) {
       result.push_back(std::move(body->second));
-    } else if (!is_joined[pieces[i].face]) {
+    } else if (!is_joined[i]) {
       result.push_back(std::move(shards[i]));
     }
   }

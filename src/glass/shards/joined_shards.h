@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/planar_map.h"
+#include "glass/shards/lean.h"
 #include "glass/shards/shard_faces.h"
 #include "glass/shards/shard_pieces.h"
 #include "glass/shards/shards.h"
@@ -22,10 +23,12 @@ struct JoinedFace {
 //   stands  for each face of the pane
 std::vector<JoinedFace> joined_faces(const FacedPane& faced, const std::vector<bool>& stands);
 
-// The shards of the pane with their solids, those that stand joined.
+// The shards of the pane with their solids, those that stand joined. A piece of which the hole leaves nothing when it cuts the
+// joint stands alone.
 //   pieces  all of the pane
 //   shards  what has become of each, without solids
-std::vector<Shard> joined_shards(const Pane& pane, const FacedPane& faced, const std::vector<ShardPiece>& pieces,
-                                 std::vector<Shard> shards, std::uint64_t seed);
+std::vector<Shard> joined_shards(const Pane& pane, const FacedPane& faced, const std::vector<geometry::Region>& hole,
+                                 const std::vector<ShardPiece>& pieces, std::vector<Shard> shards, std::uint64_t seed,
+                                 const Lean& lean = {});
 
 }  // namespace shatterpave::glass

@@ -8,6 +8,7 @@
 #include <compare>
 #include <map>
 
+#include "core/disjoint_sets.h"
 #include "core/error.h"
 
 namespace shatterpave::glass {
@@ -168,6 +169,75 @@ FacedPane faced_pane(const Pane& pane, const CrackNetwork& network) {
   result.outward = std::move(outward);
   std::vector<std::string> ids = names(result.segments, faces);
   for (std::size_t i = 0; i < faces.size(); ++i) result.faces.push_back({std::move(ids[i]), std::move(faces[i])});
+  return result;
+}
+
+namespace {
+
+// For each segment of the map of `now` the one of the map at the end that it is; of one that is cut off at a tip none.
+struct NowSegments {
+  static constexpr std::size_t cut_off = static_cast<std::size_t>(-1);
+
+  std::vector<geometry::Segment> segments;
+  std::vector<std::size_t> at_end;
+};
+
+NowSegments segments_now(const FacedPane& end, const CrackNetwork& network, const CrackNetwork& now) {
+  NowSegments result;
+  std::size_t next = 0;
+  for (; next < end.segments.size() && end.segments[next].owner == pane_edge; ++next) {
+    result.segments.push_back(end.segments[next]);
+    result.at_end.push_back(next);
+  }
+  auto grown = now.cracks.begin();
+  for (const Crack& crack : network.cracks) {
+    if (!crack.through) continue;
+    while (grown != now.cracks.end() && grown->id < crack.id) ++grown;
+    if (grown != now.cracks.end() && grown->id == crack.id) {
+      const std::vector<LatticePoint> points = lattice_points(grown->points_mm);
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        const geometry::Segment segment{points[i - 1], points[i], crack.id};
+        result.at_end.push_back(segment == end.segments[next + i - 1] ? next + i - 1 : NowSegments::cut_off);
+        result.segments.push_back(segment);
+      }
+    }
+    next += crack.points_mm.size() - 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+GrownFaces grown_faces(const FacedPane& end, const CrackNetwork& network, const CrackNetwork& now) {
+  const NowSegments there = segments_now(end, network, now);
+  std::vector<geometry::Face> at_end(end.faces.size());
+  std::ranges::transform(end.faces, at_end.begin(), &ShardFace::face);
+  const Sides sides = sides_of(at_end, end.segments.size());
+  std::vector<bool> is_there(end.segments.size(), false);
+  for (const std::size_t segment : there.at_end) {
+    if (segment != NowSegments::cut_off) is_there[segment] = true;
+  }
+  DisjointSets companies(end.faces.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (is_there[i] || sides[i][0] < 0 || sides[i][1] < 0) continue;
+    companies.join(static_cast<std::size_t>(sides[i][0]), static_cast<std::size_t>(sides[i][1]));
+  }
+  std::vector<std::vector<std::size_t>> members(end.faces.size());
+  for (std::size_t i = 0; i < end.faces.size(); ++i) members[companies.of(i)].push_back(i);
+  GrownFaces result;
+  for (geometry::Face& face : geometry::faces(there.segments, end.outward)) {
+    const FaceSide& side = face.outline.front();
+    const std::size_t segment = there.at_end[side.segment];
+    ENSURE(segment != NowSegments::cut_off);  // a tip is at no border
+    const int within = sides[segment][side.forward ? 0 : 1];
+    ENSURE(within >= 0);
+    const std::vector<std::size_t>& pieces = members[companies.of(static_cast<std::size_t>(within))];
+    result.pane.faces.push_back({end.faces[pieces.front()].id, std::move(face)});
+    result.is_whole.push_back(pieces.size() == 1);
+    result.becomes.push_back(pieces.front());
+  }
+  result.pane.segments = there.segments;
+  result.pane.outward = end.outward;
   return result;
 }
 

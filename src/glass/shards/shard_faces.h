@@ -34,6 +34,18 @@ struct FacedPane {
 //   REQUIRES the network is that of the pane
 FacedPane faced_pane(const Pane& pane, const CrackNetwork& network);
 
+// The faces of a pane while its cracks grow.
+struct GrownFaces {
+  FacedPane pane;              // a face that is whole has the id that it will keep; any other that of the first it falls into
+  std::vector<bool> is_whole;  // of each face: no crack will divide it
+  std::vector<std::size_t> becomes;  // of each face: the number of the face at the end that it is, or the first in it
+};
+
+// Those of the network at a time, `now`, whose faces at the end are `end`. Each is one of these, or several between which a
+// crack is not yet.
+//   REQUIRES `end` is that of `network`, and `now` follows from it (map/growth_clock.h)
+GrownFaces grown_faces(const FacedPane& end, const CrackNetwork& network, const CrackNetwork& now);
+
 // The border of a face as a region.
 geometry::Region region(const geometry::Face& face);
 

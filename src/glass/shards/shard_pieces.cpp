@@ -23,7 +23,7 @@ using geometry::Polygon;
 using geometry::Region;
 
 // Lines that gaps follow run on beyond the edge by so many openings, so that a gap at an acute angle is cut through.
-constexpr double overrun = 4.0;
+constexpr double gap_overrun = 4.0;
 
 // The cracks on a ring: polylines along the sides that are no edge of the pane. Ends on the edge run on beyond it.
 void append_cracks(const FaceRing& ring, const std::vector<geometry::Segment>& segments, double gap_mm,
@@ -39,7 +39,7 @@ void append_cracks(const FaceRing& ring, const std::vector<geometry::Segment>& s
     return;
   }
   const auto beyond = [&](vec2 from, vec2 end) {
-    return geometry::on_lattice(end + overrun * gap_mm * glm::normalize(end - from));
+    return geometry::on_lattice(end + gap_overrun * gap_mm * glm::normalize(end - from));
   };
   for (std::size_t i = first; i < first + n; ++i) {
     if (is_edge(i)) continue;
@@ -84,10 +84,26 @@ class PaneEdge {
   std::vector<std::pair<vec2, vec2>> sides_;
 };
 
+// A part that the hole takes less of is not cut, one of which it leaves less is gone.
+constexpr double least_cut_mm2 = 0.01;
+
+// Away from the hole pieces that are dust elsewhere stay in their place: a pane has one hole, and not a speck missing beside
+// it.
+constexpr double least_standing_mm2 = 0.05;
+
 std::vector<bool> old_sides(const Polygon& ring, const PaneEdge& edge) {
   std::vector<bool> is_old(ring.size());
   for (std::size_t i = 0; i < ring.size(); ++i) is_old[i] = edge.holds(ring[i], ring[(i + 1) % ring.size()]);
   return is_old;
+}
+
+// By so much parts whose rings would touch where rounding has closed a narrow bay are drawn in.
+constexpr double contact_mm = 0.004;
+
+std::vector<Region> shrunk(const std::vector<Region>& regions) {
+  std::vector<Region> result;
+  for (const Region& region : regions) std::ranges::move(geometry::offset(region, -contact_mm), std::back_inserter(result));
+  return result;
 }
 
 }  // namespace
@@ -121,16 +137,81 @@ ShardPiece piece_of(const Pane& pane, const geometry::Face& face, const std::vec
   return piece;
 }
 
-std::vector<ShardPiece> shard_pieces(const Pane& pane, const FacedPane& faced) {
+ShardRules rules_of_standing(ShardRules rules, const std::vector<Region>& hole) {
+  if (!hole.empty()) rules.splinter_mm2 = std::min(rules.splinter_mm2, least_standing_mm2);
+  return rules;
+}
+
+namespace {
+
+// What the hole takes of a part.
+double area_within_mm2(const Region& part, const std::vector<Region>& hole) {
+  double within_mm2 = 0.0;
+  for (const Region& one : hole) {
+    if (!geometry::boxes_meet(geometry::bounding_box(part.outline), geometry::bounding_box(one.outline))) continue;
+    for (const Region& region : geometry::intersection(part, one)) within_mm2 += geometry::area(region);
+  }
+  return within_mm2;
+}
+
+// Cuts the part along the border of the hole, with a gap.
+void cut_along(const Region& part, const std::vector<Region>& hole, double gap_mm, CutParts& cut) {
+  for (const Region& one : hole) {
+    for (const Region& less : geometry::offset(one, -gap_mm)) {
+      std::ranges::move(geometry::intersection(part, less), std::back_inserter(cut.inside));
+    }
+  }
+  std::ranges::move(geometry::difference(part, hole), std::back_inserter(cut.outside));
+}
+
+// Adds those that are no splinters, the largest first.
+void add_cut(std::vector<Region> some, double splinter_mm2, std::vector<Region>& all) {
+  const auto is_splinter = [&](const Region& part) { return geometry::area(part) < splinter_mm2; };
+  std::erase_if(some, is_splinter);
+  if (!geometry::contacts(geometry::rings_of(some)).empty()) some = geometry::parted(shrunk(some));
+  std::erase_if(some, is_splinter);
+  std::ranges::move(some, std::back_inserter(all));
+  std::ranges::stable_sort(all, std::ranges::greater{}, [](const Region& part) { return geometry::area(part); });
+}
+
+}  // namespace
+
+CutParts cut_parts(std::vector<Region> parts, const std::vector<Region>& hole, const ShardRules& rules) {
+  CutParts whole;  // what the border of the hole does not cut stays as it is, since cutting rounds
+  CutParts cut;
+  for (Region& part : parts) {
+    const double gone_mm2 = area_within_mm2(part, hole);
+    if (gone_mm2 < least_cut_mm2) {
+      whole.outside.push_back(std::move(part));
+    } else if (gone_mm2 > geometry::area(part) - least_cut_mm2) {
+      whole.inside.push_back(std::move(part));
+    } else {
+      cut_along(part, hole, rules.gap_mm, cut);
+    }
+  }
+  add_cut(std::move(cut.outside), rules.splinter_mm2, whole.outside);
+  add_cut(std::move(cut.inside), rules.splinter_mm2, whole.inside);
+  return whole;
+}
+
+std::vector<ShardPiece> shard_pieces(const Pane& pane, const FacedPane& faced, const std::vector<Region>& hole,
+                                     const std::vector<bool>& is_whole) {
+  const std::vector<Region> none;
   std::vector<std::vector<ShardPiece>> of_faces(faced.faces.size());
   parallel_for(of_faces.size(), [&](std::size_t i) {
     const ShardFace& face = faced.faces[i];
-    for (Region& part : parts_of(face.face, faced.segments, *pane.shards)) {
+    const ShardRules rules = rules_of_standing(*pane.shards, hole);
+    CutParts cut = cut_parts(parts_of(face.face, faced.segments, rules), is_whole[i] ? hole : none, *pane.shards);
+    std::erase_if(cut.inside, [&](const Region& part) { return geometry::area(part) < pane.shards->splinter_mm2; });
+    const auto add = [&](Region& part, bool leaves) {
       const std::size_t number = of_faces[i].size();
       of_faces[i].push_back(piece_of(pane, face.face, faced.segments, std::move(part),
                                      number == 0 ? face.id : fmt::format("{}p{}", face.id, number)));
       of_faces[i].back().face = i;
-    }
+      of_faces[i].back().leaves = leaves;
+    };
+    for (Region& part : cut.outside) add(part, false);
+    for (Region& part : cut.inside) add(part, true);
   });
   std::vector<ShardPiece> pieces;
   for (std::vector<ShardPiece>& some : of_faces) std::ranges::move(some, std::back_inserter(pieces));

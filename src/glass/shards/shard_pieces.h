@@ -26,14 +26,28 @@ struct ShardPiece {
   std::size_t face = 0;  // of the pane's, of which it is a part
   ShardBlank blank;
   double frame_mm = 0.0;  // length of its border that the frame holds
+  bool leaves = false;    // lies in the hole
 };
 
 // A part of the face as a piece.
 ShardPiece piece_of(const Pane& pane, const geometry::Face& face, const std::vector<geometry::Segment>& segments,
                     geometry::Region part, std::string id);
 
-// All pieces of the pane, face after face.
-std::vector<ShardPiece> shard_pieces(const Pane& pane, const FacedPane& faced);
+// All pieces of the pane, face after face, cut along the border of the hole.
+//   is_whole  of each face: one that is not so is not cut yet
+std::vector<ShardPiece> shard_pieces(const Pane& pane, const FacedPane& faced, const std::vector<geometry::Region>& hole,
+                                     const std::vector<bool>& is_whole);
+
+// As `rules`, but for how small a splinter is where there is a hole: what stands away from it stays, however little more than
+// dust it is.
+ShardRules rules_of_standing(ShardRules rules, const std::vector<geometry::Region>& hole);
+
+// What of the parts lies outside the hole, and inside, a gap apart; in parts that are no splinters, the largest first.
+struct CutParts {
+  std::vector<geometry::Region> outside;
+  std::vector<geometry::Region> inside;
+};
+CutParts cut_parts(std::vector<geometry::Region> parts, const std::vector<geometry::Region>& hole, const ShardRules& rules);
 
 // What draws for a shard are addressed by.
 Id shard_id(const Pane& pane, const std::string& shard);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "geometry/clip.h"
@@ -166,6 +167,22 @@ class Surface {
       triangle(low + i, high + j, high + i, slot);
     }
   }
+  // The same where the two copies are shifted: each face is parted by the diagonal that its plan tells, whichever way the ring
+  // runs, so that walls on both sides of a crack are parted alike.
+  void leaning_wall(std::size_t low, std::size_t high, const Polygon& plan, const std::vector<bool>& is_old) {
+    const std::size_t n = is_old.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      const int slot = is_old[i] ? old_slot : broken_slot;
+      if (plan[i].x < plan[j].x || (plan[i].x == plan[j].x && plan[i].y < plan[j].y)) {
+        triangle(low + i, low + j, high + j, slot);
+        triangle(low + i, high + j, high + i, slot);
+      } else {
+        triangle(low + i, low + j, high + i, slot);
+        triangle(low + j, high + j, high + i, slot);
+      }
+    }
+  }
   // A side over the border that starts at vertex `border` and lies at height z. `outwards` is +1 for the front, −1 for the
   // back.
   void cap(const ShardSide& side, std::size_t border, std::size_t border_count, std::int64_t z, int outwards) {
@@ -215,13 +232,130 @@ Solid solid(const ShardBlank& blank, double bevel_mm, const std::vector<Region>&
   return surface.taken();
 }
 
+// ---- where walls lean
+
+// Rows of faces from border to border: more do not show in walls that bow by a few degrees.
+constexpr std::size_t wall_rows = 4;
+// Shifted sides are straight to this part of the gap; so walls of two pieces keep what the field leaves between them.
+constexpr double straight_part = 0.1;
+// Vertices nearer than this are one: shifted, they might come to lie in one place.
+constexpr double least_side_mm = 0.008;
+
+// Each ring of the blank with what of its sides is old, the outline first.
+template <typename Act>
+void each_ring(ShardBlank& blank, const Act& act) {
+  act(blank.region.outline, blank.is_old.front());
+  for (std::size_t i = 0; i < blank.region.holes.size(); ++i) act(blank.region.holes[i], blank.is_old[i + 1]);
+}
+
+void drop_near_vertices(Polygon& ring, std::vector<bool>& is_old) {
+  Polygon kept;
+  std::vector<bool> kept_is_old;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const bool is_near = !kept.empty() && glm::length(ring[i] - kept.back()) < least_side_mm;
+    if (is_near) {
+      kept_is_old.back() = is_old[i];
+      continue;
+    }
+    kept.push_back(ring[i]);
+    kept_is_old.push_back(is_old[i]);
+  }
+  while (kept.size() > 3 && glm::length(kept.front() - kept.back()) < least_side_mm) {
+    kept.pop_back();
+    kept_is_old.pop_back();
+  }
+  if (kept.size() < 3) return;
+  ring = std::move(kept);
+  is_old = std::move(kept_is_old);
+}
+
+ShardBlank shifted(ShardBlank blank, const Lean& lean, double z_mm) {
+  each_ring(blank, [&](Polygon& ring, const std::vector<bool>& /*is_old*/) {
+    for (vec2& p : ring) p = geometry::on_lattice(p + lean.aside_mm(p, z_mm));
+  });
+  return blank;
+}
+
+std::vector<Chip> shifted(std::vector<Chip> chips, const Lean& lean, double z_mm) {
+  for (Chip& chip : chips) {
+    for (vec2& p : chip.bite) p = geometry::on_lattice(p + lean.aside_mm(chip.at_mm, z_mm));
+  }
+  return chips;
+}
+
+bool keeps_apart(ShardBlank blank) {
+  bool has_sides = true;
+  each_ring(blank, [&](const Polygon& ring, const std::vector<bool>& /*is_old*/) {
+    for (std::size_t i = 0; i < ring.size(); ++i) has_sides = has_sides && ring[i] != ring[(i + 1) % ring.size()];
+  });
+  return has_sides && geometry::contacts(geometry::rings_of({blank.region})).empty();
+}
+
+struct LeaningSide {
+  ShardBlank blank;  // as it is shifted at the border of the side
+  std::vector<Region> flats;
+  std::int64_t z = 0;  // of the border
+};
+
+// `outwards` is +1 for the front, −1 for the back; no blank where sides meet.
+std::optional<LeaningSide> leaning_side(const ShardBlank& plan, const Lean& lean, double bevel_mm,
+                                        const std::vector<Chip>& chips, int outwards) {
+  const double half_mm = 0.5 * plan.thickness_mm;
+  const std::int64_t face = outwards > 0 ? geometry::to_lattice(plan.thickness_mm) : 0;
+  LeaningSide side{shifted(plan, lean, outwards * (half_mm - bevel_mm)), {}, face - outwards * geometry::to_lattice(bevel_mm)};
+  if (!keeps_apart(side.blank)) return std::nullopt;
+  side.flats = flat_parts(side.blank, bevel_mm, shifted(chips, lean, outwards * half_mm));
+  if (!side.flats.empty()) return side;
+  side = {shifted(plan, lean, outwards * half_mm), {}, face};
+  return keeps_apart(side.blank) ? std::optional(side) : std::nullopt;
+}
+
+// As `solid`.
+Solid leaning_solid(ShardBlank plan, const ShardRules& rules, const Chips& chips, const Lean& lean) {
+  const double bevel_mm = bevel_of(plan, rules);
+  each_ring(plan, [&](Polygon& ring, std::vector<bool>& is_old) {
+    drop_near_vertices(ring, is_old);
+    ring = lean.followed(ring, is_old, straight_part * rules.gap_mm);
+  });
+  const auto front = leaning_side(plan, lean, bevel_mm, chips.front, 1);
+  const auto back = leaning_side(plan, lean, bevel_mm, chips.back, -1);
+  if (!front || !back) return {};
+  Surface surface;
+  std::size_t count = 0;  // of the vertices of a row
+  for (std::size_t row = 0; row <= wall_rows; ++row) {
+    const std::int64_t z =
+        back->z + (front->z - back->z) * static_cast<std::int64_t>(row) / static_cast<std::int64_t>(wall_rows);
+    const ShardBlank at = row == 0           ? back->blank
+                          : row == wall_rows ? front->blank
+                                             : shifted(plan, lean, geometry::to_mm(z) - 0.5 * plan.thickness_mm);
+    const std::size_t first = row * count;
+    for (const LatticeRing& ring : geometry::lattice_rings(at.region)) count = surface.add(ring, z) + ring.size() - first;
+  }
+  std::size_t ring_first = 0;
+  each_ring(plan, [&](const Polygon& ring, const std::vector<bool>& is_old) {
+    for (std::size_t row = 0; row < wall_rows; ++row) {
+      surface.leaning_wall(row * count + ring_first, (row + 1) * count + ring_first, ring, is_old);
+    }
+    ring_first += ring.size();
+  });
+  const auto cap = [&](const LeaningSide& of, std::size_t border, int outwards) {
+    const std::int64_t depth_um = geometry::to_lattice(bevel_mm);
+    surface.cap(of.flats.empty() ? sharp_side(of.blank) : bevelled_side(of.blank, of.flats, depth_um), border, count, of.z,
+                outwards);
+  };
+  cap(*front, wall_rows * count, 1);
+  cap(*back, 0, -1);
+  return surface.taken();
+}
+
 }  // namespace
 
 Chips chips(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed) {
   return {chips_of(blank, rules, blank.id.child("front"), seed), chips_of(blank, rules, blank.id.child("back"), seed)};
 }
 
-Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, const Chips& chips) {
+Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, const Chips& chips, const Lean& lean) {
+  if (!lean.is_upright()) return leaning_solid(blank, rules, chips, lean);
   const double bevel_mm = bevel_of(blank, rules);
   return solid(blank, bevel_mm, flat_parts(blank, bevel_mm, chips.front), flat_parts(blank, bevel_mm, chips.back));
 }

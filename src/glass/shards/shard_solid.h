@@ -9,6 +9,7 @@
 #include "geometry/polygon.h"
 #include "geometry/solid.h"
 #include "glass/pane.h"
+#include "glass/shards/lean.h"
 
 namespace shatterpave::glass {
 
@@ -34,7 +35,9 @@ Chips chips(const ShardBlank& blank, const ShardRules& rules, std::uint64_t seed
 // Slots are ShardSurface, z runs from 0 to the thickness. The flat parts of front and back are smaller than the region by the
 // bevel and by chips; where nothing of one would be left, that side stays sharp. Where a neck is narrower than two bevels there
 // are several, and a ridge leads from one to the next.
+// Where walls lean, flat parts are those of the region as it is shifted at the two faces, and walls go from one to the other in
+// four rows. Nothing is made, not a triangle, where sides of a piece that is very narrow would then meet.
 //   REQUIRES  no two rings touch
-geometry::Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, const Chips& chips);
+geometry::Solid shard_solid(const ShardBlank& blank, const ShardRules& rules, const Chips& chips, const Lean& lean = {});
 
 }  // namespace shatterpave::glass

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,14 @@ struct Shard {
   bool operator==(const Shard&) const = default;
 };
 
+// Where a shard that left the pane is at a time.
+struct ShardPlace {
+  ShardState state = ShardState::fallen;
+  Motion motion;
+
+  bool operator==(const ShardPlace&) const = default;
+};
+
 // Its vertices where it was in the pane, z from the middle plane.
 vec3 in_pane_mm(const geometry::LatticePoint3& vertex, double thickness_mm);
 
@@ -57,12 +67,22 @@ vec3 in_pane_mm(const geometry::LatticePoint3& vertex, double thickness_mm);
 // Guarantees, exact on the lattice:
 // 1. every solid is closed and oriented (geometry/solid.h);
 // 2. no two that stand overlap: each lies within its own face, at least half the gap less 2 µm from every crack on its border;
+//    where walls lean (lean.h), at no height do two that stand meet: the field leaves a quarter of the gap between them;
 // 3. what shards leave of the pane's volume are gaps, bevels, chips and splinters alone.
 // 4. rules.joined changes neither who stands nor where what has fallen lies: pieces that stand, and whose faces have a stretch
 // of
 //    crack in common, are one body then. Its face keeps 2. for the cracks on its border; those within it leave no trace.
 // Of those that have fallen, none reaches into another, the sill, the floor or a standing one (fall.h).
-//   REQUIRES pane.shards; the network is that of the pane
+//
+// At a time_us of the pane, faces are those that its cracks enclose by then; what they do not yet part is one shard, which
+// stands. What is whole has its id, its shape and its fate from the end, but for cracks that still grow inside it. With a
+// time_s, what left the pane is where it has fallen by then (fall.h): in the pane until it is let go.
+//   REQUIRES pane.shards; the network is that of the pane, when all has grown
 std::vector<Shard> shards(const Pane& pane, const CrackNetwork& network, std::uint64_t seed);
+
+// Where each shard that leaves the pane is at each of the times, which must not fall (fall.h), by its id. At the pane's time_s
+// it is where `shards` has it.
+std::map<std::string, std::vector<ShardPlace>> shard_paths(const Pane& pane, const CrackNetwork& network, std::uint64_t seed,
+                                                           std::span<const double> times_s);
 
 }  // namespace shatterpave::glass

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "paving/bonds/table.h"
 #include "paving/tiles/cells.h"
+#include "paving/tiles/hand_setting.h"
 
 namespace shatterpave::paving {
 
@@ -32,6 +33,17 @@ vec2 longest_chord(const std::vector<std::vector<vec2>>& guides) {
   return longest;
 }
 
+// The axis along which vectors lie that may be turned over: of the sum of their squares as complex numbers.
+vec2 mean_axis(const std::vector<vec2>& vectors) {
+  vec2 twice{0.0, 0.0};
+  for (const vec2& v : vectors) {
+    const double square = glm::dot(v, v);
+    if (square > 0.0) twice += vec2{v.x * v.x - v.y * v.y, 2.0 * v.x * v.y} / square;
+  }
+  const double length = glm::length(twice);
+  return length > 0.0 ? Angle::radians(0.5 * Angle::of(twice).radians()).direction() : vec2{1.0, 0.0};
+}
+
 // Of a direction without sign, in (−90°, 90°].
 vec2 rightwards(vec2 d) { return d.x < 0.0 || (d.x == 0.0 && d.y < 0.0) ? -d : d; }
 
@@ -47,17 +59,25 @@ Angle main_direction(const Pavement& pavement) {
   if (const auto* guides = std::get_if<GuidesDirection>(&pavement.direction)) {
     return axis_angle(longest_chord(guides->guides_mm));
   }
+  if (const auto* grid = std::get_if<GridDirection>(&pavement.direction)) return axis_angle(mean_axis(grid->vectors));
   return {};
 }
 
-bool is_bent(const Pavement& pavement) { return type_of(pavement).bending != Bending::straight && !runs_one_way(pavement); }
+// Rows that keep their distance from a line have none to keep it from in a field of vectors.
+bool is_bent(const Pavement& pavement) {
+  const Bending bending = type_of(pavement).bending;
+  if (std::holds_alternative<GridDirection>(pavement.direction)) return bending == Bending::packed;
+  return bending != Bending::straight && !runs_one_way(pavement);
+}
 
 bool is_drawn(const Pavement& pavement) {
+  if (pavement.hand.amount > 0.0) return true;
   const Drawing drawing = type_of(pavement).drawing;
   return drawing == Drawing::always || (drawing == Drawing::where_bent && !runs_one_way(pavement));
 }
 
 double side_bulge(const Pavement& pavement) {
+  if (pavement.hand.amount > 0.0) return 0.0;  // its sides are those of its cell (paving/tiles/hand_setting.h)
   return type_of(pavement).bending == Bending::packed && is_bent(pavement) ? largest_bulge : 0.0;
 }
 
@@ -77,7 +97,9 @@ std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionInd
   return type.tiles(pavement, area, seed);
 }
 
-Stock stock(const Pavement& pavement) { return type_of(pavement).stock(pavement); }
+Stock stock(const Pavement& pavement) {
+  return hand_stock(type_of(pavement).stock(pavement), pavement.joint_mm, pavement.hand.amount);
+}
 
 double whole_face_mm2(const Pavement& pavement) { return type_of(pavement).whole_face_mm2(pavement); }
 

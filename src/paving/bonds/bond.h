@@ -1,4 +1,4 @@
-// What is asked of the bond of a pavement; what bonds there are, and their traits, is told in paving/bonds/table.h.
+// Questions about the bond of a pavement. The bonds and their traits stand in paving/bonds/table.h.
 //
 // A bond is a division of the plane into tiles, half a joint wider all round than its stones; cutting at the outline, joining
 // of small pieces and taking off the joint are the same as for packed stones (paving/tiles/cutting.h). What is needed is a map
@@ -24,14 +24,15 @@
 
 namespace shatterpave::paving {
 
-// Where a whole pattern is laid one way: the constant direction; of a radial one +x; of a boundary the outline's longest side;
-// of guides from first to last point of the longest.
+// The one direction of a pattern that does not bend: the constant direction; +x for a radial one; for a boundary the outline's
+// longest side; for guides the way from the first to the last point of the
+// longest; for a grid the mean axis of its vectors.
 Angle main_direction(const Pavement& pavement);
 
 // The angle of an axis, whose sign means nothing, in (−90°, 90°].
 Angle axis_angle(vec2 axis);
 
-// Whether the rows of the pavement's bond bend: it can, and its direction is not the same everywhere.
+// Whether the rows of the pavement bend: its bond can, and its direction is not the same everywhere.
 bool is_bent(const Pavement& pavement);
 // Whether the seed decides where stones are set out.
 bool is_drawn(const Pavement& pavement);

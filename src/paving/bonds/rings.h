@@ -8,7 +8,7 @@
 namespace shatterpave::paving {
 
 // Rings of one depth, pitch.y, from the first circle on, each of a whole number of stones about pitch.x long. The first has
-// moved on by `start` of a stone, each next one by `offset` more.
+// is shifted by `start` of a stone, each next one by `offset` more.
 std::vector<Tile> ring_tiles(vec2 pitch, const RadialDirection& direction, double start, double offset,
                              const geometry::RegionIndex& area);
 

@@ -7,11 +7,11 @@
 
 namespace shatterpave::paving {
 
-// Straight rows that move on by `offset` of a stone each, 0 … 1; mm.
+// Straight rows that are shifted by `offset` of a stone each, 0 … 1; mm.
 Pattern rows_pattern(vec2 pitch, double offset);
 
 // The same along the pavement's direction, over all of the area: rings (rings.h), rows along a line (courses.h) or straight
-// rows. The first has moved on by `Bonding::start`.
+// rows. The first is shifted by `Bonding::start`.
 std::vector<Tile> row_tiles(const Pavement& pavement, double offset, const geometry::RegionIndex& area);
 
 }  // namespace shatterpave::paving

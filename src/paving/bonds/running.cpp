@@ -1,4 +1,4 @@
-// Running bond: rows, each moved on against the last. Rows bend with the direction.
+// Running bond: rows, each shifted against the one before. Rows bend with the direction.
 #include "paving/bonds/row_tiles.h"
 #include "paving/bonds/table.h"
 #include "paving/bonds/usual.h"

@@ -34,6 +34,8 @@ Pavement kerb(const Pavement& pavement) {
   result.bonding.bond = Bond::course;
   result.border = {};
   result.variation = {};
+  result.hand = {};  // kerb stones are sawn
+  result.look.colours = {};
   result.variation.tilt = Angle();
   const FinishPreset& preset = preset_of(Finish::bush_hammered);
   result.body = preset.body;
@@ -43,6 +45,8 @@ Pavement kerb(const Pavement& pavement) {
   result.surface.height_spread = 0.0;
   result.surface.height_mm = pavement.kerb.height_mm + face_mm(pavement) - bed_level_mm(pavement);
   result.look.wetness = std::min(pavement.look.wetness, 0.5);  // no water stands on a kerb
+  result.textures.seamless = false;                            // a strip about a corner repeats in no direction
+  result.textures.tile_mm.reset();
   result.ground.settlement_mm = 0.0;
   result.ground.level_mm += face_mm(pavement) + pavement.kerb.height_mm - face_mm(result);
   return result;

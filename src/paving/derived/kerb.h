@@ -7,7 +7,8 @@ namespace shatterpave::paving {
 
 // The kerb of `pavement`, which has one, as a pavement of its own: a strip of the kerb's width about the outline, outside, laid
 // with one row of long stones with chamfered arrises. Its faces lie `height_mm` above those of the pavement's stones, its
-// joints are as deep as to reach their bed, and it falls as they do.
+// joints reach down to their bed, and it falls as they do. Its textures are of its whole area, also where those of the pavement
+// are seamless.
 Pavement kerb(const Pavement& pavement);
 
 }  // namespace shatterpave::paving

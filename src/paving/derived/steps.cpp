@@ -127,12 +127,15 @@ std::vector<std::vector<Region>> strips(const Fronts& fronts, const Region& area
 // One row of blocks, but for its area, name and height.
 Pavement blocks(const Pavement& pavement, const Flight& flight) {
   Pavement result = pavement;
+  result.flight.reset();
   result.kerb = {};
   result.border = {};
   result.joint_mm = std::min({pavement.joint_mm, widest_block_joint_mm, 0.5 * flight.tread_mm});
   result.stone_mm.y = flight.tread_mm - result.joint_mm;
   if (type_of(result).bending != Bending::rows) result.bonding.bond = Bond::running;
   result.variation = {};
+  result.hand = {};
+  result.look.colours = {};
   result.variation.tilt = Angle();
   if (result.body.finish == Finish::none) {
     const FinishPreset& preset = preset_of(Finish::bush_hammered);
@@ -170,7 +173,9 @@ void lay_row(Pavement& step, double front_mm, double tread_mm) {
 
 }  // namespace
 
-std::vector<Pavement> steps(const Pavement& pavement, const Flight& flight) {
+std::vector<Pavement> steps(const Pavement& pavement) {
+  ENSURE(pavement.flight);
+  const Flight& flight = *pavement.flight;
   ENSURE(flight.tread_mm > 0.0 && flight.riser_mm != 0.0);
   const Fronts fronts(pavement.area, pavement.direction);
   const std::vector<std::vector<Region>> parts = strips(fronts, pavement.area, flight.tread_mm);

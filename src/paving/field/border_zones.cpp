@@ -201,7 +201,7 @@ std::vector<Seam> seams_between(const SideCells& cells, const std::vector<Segmen
   return seams;
 }
 
-// Joins runs that face each other with rows alike, but for those that a mitre would then run within.
+// Joins runs that face each other and have the same rows, unless a mitre would then lie within what was joined.
 void join_facing(const SideCells& cells, const std::vector<Segment>& sides, DisjointSets& runs) {
   const std::vector<Seam> seams = seams_between(cells, sides, runs);
   for (const Seam& seam : seams) {

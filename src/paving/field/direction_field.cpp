@@ -195,6 +195,10 @@ DirectionField::DirectionField(const Pavement& pavement, const geometry::RegionI
   const bool plain =
       std::holds_alternative<ConstantDirection>(direction_) || std::holds_alternative<RadialDirection>(direction_);
   if (plain) return;
+  if (const auto* grid = std::get_if<GridDirection>(&direction_)) {
+    take(*grid);
+    return;
+  }
   if (std::holds_alternative<BoundaryDirection>(direction_) && !is_cross()) {
     const vec2 pitch = pitch_mm(pavement);
     const BorderZones parts = border_zones(pavement.area, area, least_run_pitches * std::max(pitch.x, pitch.y));
@@ -216,6 +220,46 @@ void DirectionField::part(const Pavement& pavement, const geometry::RegionIndex&
   }
   border_ = area;
   zone_of_segment_ = parts.of_segment;
+}
+
+// Places without a vector take the mean of those about them that have one, ring by ring inwards.
+void DirectionField::take(const GridDirection& grid) {
+  if (grid.pitch_mm <= 0.0 || grid.columns < 2 || grid.vectors.size() < 2 * grid.columns ||
+      grid.vectors.size() % grid.columns != 0) {
+    throw InputError("direction: expected a grid of two or more rows and columns");
+  }
+  samples_ = {grid.origin_mm, grid.pitch_mm, grid.columns, grid.vectors.size() / grid.columns, {}};
+  std::vector<bool> known;
+  for (const vec2& v : grid.vectors) {
+    const double length = glm::length(v);
+    const vec2 twice = length > 0.0 ? doubled(v / length) : vec2{0.0, 0.0};
+    samples_.values.push_back(fold_ == 4 && length > 0.0 ? doubled(twice) : twice);
+    known.push_back(length > 0.0);
+  }
+  if (std::ranges::find(known, true) == known.end()) throw InputError("direction: expected a vector other than 0");
+  while (std::ranges::find(known, false) != known.end()) fill_ring(known);
+}
+
+void DirectionField::fill_ring(std::vector<bool>& known) {
+  const std::vector<bool> before = known;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i]) continue;
+    const std::size_t c = i % samples_.columns;
+    vec2 sum{0.0, 0.0};
+    bool any = false;
+    const auto heed = [&](bool there, std::size_t j) {
+      if (!there || !before[j]) return;
+      sum += samples_.values[j];
+      any = true;
+    };
+    heed(c > 0, i - 1);
+    heed(c + 1 < samples_.columns, i + 1);
+    heed(i >= samples_.columns, i - samples_.columns);
+    heed(i + samples_.columns < before.size(), i + samples_.columns);
+    if (!any) continue;
+    samples_.values[i] = unit(sum, along_x);  // about a singular place its neighbours cancel: any direction is as good
+    known[i] = true;
+  }
 }
 
 void DirectionField::solve(const Pavement& pavement, const geometry::RegionIndex& area) {

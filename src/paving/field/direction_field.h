@@ -1,11 +1,11 @@
 // The direction of the rows at every place of a pavement (§3 of Miyata and Itoh: "the vector field that the particles line
 // up with").
 //
-// Along the outline, the holes or the guides the rows follow them; between them the direction is the smoothest that agrees
-// with them (it solves Laplace's equation in the multiples of its angle). For square stones rows and columns are alike, so
-// the field is a cross field, of which quarter turns mean nothing: rows along the two sides of a square corner then agree.
-// For oblong stones only half turns mean nothing. Where their rows, along the border, meet at an angle, the field has a mitre
-// (border_zones.h): it is solved in each zone by itself.
+// Of a grid of vectors the direction is theirs, and interpolated between them. Along the outline, the holes or the guides the
+// rows follow them; between them the direction is the smoothest that agrees with them (it solves Laplace's equation in the
+// multiples of its angle). For square stones rows and columns are alike, so the field is a cross field, of which quarter turns
+// mean nothing: rows along the two sides of a square corner then agree. For oblong stones only half turns mean nothing. Where
+// their rows, along the border, meet at an angle, the field has a mitre (border_zones.h): it is solved in each zone by itself.
 #pragma once
 
 #include <optional>
@@ -23,12 +23,12 @@ class DirectionField {
   // `area` is that of the pavement; it is not kept.
   DirectionField(const Pavement& pavement, const geometry::RegionIndex& area);
 
-  // Unit vector along the rows at `place`, which may lie outside the area. Its sign means nothing, nor for a cross field do
-  // quarter turns.
+  // Unit vector along the rows at `place`, which may lie outside the area. Its sign has no meaning; in a cross field quarter
+  // turns have none either.
   vec2 axis(vec2 place) const;
   // The axis as an angle, in (−90°, 90°], of a cross field that is not plainly of rows (boundary, guides) in (−45°, 45°].
   Angle angle(vec2 place) const;
-  // Whether quarter turns mean nothing.
+  // Whether it is a cross field, in which quarter turns have no meaning.
   bool is_cross() const { return fold_ == 4; }
 
   // What is laid by itself: a part of the area, with a field that goes on beyond it. Empty where all of it is laid at once.
@@ -47,6 +47,8 @@ class DirectionField {
     std::vector<vec2> values;
   };
 
+  void take(const GridDirection& grid);
+  void fill_ring(std::vector<bool>& known);
   void solve(const Pavement& pavement, const geometry::RegionIndex& area);
   void part(const Pavement& pavement, const geometry::RegionIndex& area, const BorderZones& parts);
   vec2 sampled(vec2 place) const;

@@ -84,7 +84,7 @@ class Packing {
       for (std::size_t i = 0; i < particles_.size(); ++i) {
         velocity[i] = (velocity[i] + time_step * force[i]) / (1.0 + time_step * damping);
         const double speed = largest(velocity[i]);
-        constexpr double most = 0.2;  // pitches a step: nobody jumps over a neighbour
+        constexpr double most = 0.2;  // pitches a step: no particle jumps over a neighbour
         const double scale = speed * time_step > most ? most / (speed * time_step) : 1.0;
         particles_[i].at += Frame{particles_[i].axis, pitch_}.out_of(scale * time_step * velocity[i]);
       }

@@ -126,7 +126,7 @@ class Settling {
     }
   }
 
-  // Cells that look like stones. At the rim of the packing they are long and odd, and their corners know nothing.
+  // Cells that look like stones. At the rim of the packing cells are long and odd, and say nothing about their corners.
   void find_regular() {
     regular_.assign(cells_.count(), 0);
     for (std::uint32_t cell = 0; cell < cells_.count(); ++cell) {
@@ -238,7 +238,7 @@ class Settling {
       if (tee == nullptr && std::max(std::abs(q.x), std::abs(q.y)) < least_side) return;
       Wish w = tee == nullptr ? wish(from, to, frame.axis) : wish_for_part(*tee, from, to, frame.axis);
       all.emplace_back(from, w);
-      // At the rim nobody beyond the side speaks for its other end.
+      // At the rim no cell beyond the side says where its other end should be.
       const std::uint32_t beyond = cells_.neighbour[side];
       if (!regular_[beyond]) {
         w.neighbour = from;

@@ -12,9 +12,9 @@
 
 namespace shatterpave::paving {
 
-// G over `quad` as a polynomial of bidegree (2, 2): control point (i, j) is the mean of G over the ways to choose i of 2 and j
-// of
-// 2. `dome.blossom(p, q)` is G in blossomed form: symmetric, affine in each; blossom(p, p) = G(p).
+// G over `quad` as a polynomial of bidegree (2, 2): control point (i, j) is the mean of G over the ways to choose i of two and
+// j of two. `dome.blossom(p, q)` is G in blossomed form: symmetric in p and q, affine in each, and blossom(p, p) is G(p). It
+// is called for pairs of corners of `quad`.
 template <typename Dome>
 double dome_control(const std::array<vec2, 4>& quad, const Dome& dome, std::size_t i, std::size_t j) {
   const auto corner = [&](std::size_t u, std::size_t v) { return quad[v == 0 ? u : 3 - u]; };

@@ -12,7 +12,8 @@ LaidSurface::LaidSurface(const Pavement& pavement, const std::vector<Stone>& sto
 }
 
 StoneDraws LaidSurface::draws(std::size_t index) const {
-  const StoneDraws own = stone_draws(pavement_, seed_, stones_[index].id);
+  StoneDraws own = stone_draws(pavement_, seed_, stones_[index].id);
+  own.sink_mm += stones_[index].sunk_mm;
   return traffic_.empty() ? own : worn(own, pavement_, traffic_[index]);
 }
 

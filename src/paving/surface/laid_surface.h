@@ -21,7 +21,7 @@ class LaidSurface {
   LaidSurface(const Pavement& pavement, const std::vector<Stone>& stones, std::uint64_t seed,
               std::optional<vec2> period_mm = {});
 
-  // How much goes over a stone, by its index: 0 where nothing wears, up to 1.
+  // The traffic over a stone, by its index: from 0, where nothing wears, to 1.
   double traffic(std::size_t index) const { return traffic_.empty() ? 0.0 : traffic_[index]; }
   StoneDraws draws(std::size_t index) const;
   // The patches of a stone with these draws: its own, or what its maker left out of them.

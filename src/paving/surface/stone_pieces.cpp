@@ -30,15 +30,15 @@ std::size_t least_corner(const Polygon& polygon) {
 
 void remove_vertex(Polygon& polygon, std::size_t i) { polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i)); }
 
-struct Cut {
+struct Chord {
   std::size_t side = 0;  // from vertex `side` to the next
   vec2 end{0.0, 0.0};
   double length = std::numeric_limits<double>::infinity();
 };
 
 // Where the ray from the reflex corner `from` along `direction` first meets a side that does not end in that corner.
-Cut first_hit(const Polygon& polygon, std::size_t from, vec2 direction) {
-  Cut best;
+Chord first_hit(const Polygon& polygon, std::size_t from, vec2 direction) {
+  Chord best;
   const std::size_t count = polygon.size();
   for (std::size_t side = 0; side < count; ++side) {
     if (side == from || (side + 1) % count == from) continue;
@@ -90,9 +90,9 @@ std::vector<Polygon> convex_pieces(const Polygon& polygon, double tolerance_mm) 
       continue;
     }
     const std::size_t at = *reflex;
-    const Cut onward = first_hit(piece, at, glm::normalize(piece[at] - before(piece, at)));
-    const Cut backward = first_hit(piece, at, glm::normalize(piece[at] - cyclic(piece, at + 1)));
-    const Cut& cut = onward.length <= backward.length ? onward : backward;
+    const Chord onward = first_hit(piece, at, glm::normalize(piece[at] - before(piece, at)));
+    const Chord backward = first_hit(piece, at, glm::normalize(piece[at] - cyclic(piece, at + 1)));
+    const Chord& cut = onward.length <= backward.length ? onward : backward;
     ENSURE(cut.length < std::numeric_limits<double>::infinity());
     Polygon left = chain(piece, at, cut.side);
     left.push_back(cut.end);

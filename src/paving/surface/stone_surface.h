@@ -43,9 +43,9 @@ StoneDraws stone_draws(const Pavement& pavement, std::uint64_t seed, int stone_i
 StoneDraws worn(StoneDraws draws, const Pavement& pavement, double traffic);
 
 // The patches over `outline` (simple, counter-clockwise), z up, below the bed along the outline. `is_sawn` says which sides
-// were sawn, for stones with a finish. Their normals, derivative_u ×
-// derivative_v, point up. Seen from above no point lies outside the outline by more than `corner_tolerance` of its size, to
-// which vertices that are no corners are left out.
+// were sawn, for stones with a finish. The normals of the patches, derivative_u × derivative_v, point up. Vertices that are no
+// corners to `corner_tolerance` of the stone's size are left out; seen from above no point lies outside the outline by more
+// than that.
 std::vector<geometry::BezierPatch> surface_patches(const geometry::Polygon& outline, const StoneDraws& draws,
                                                    const IsSawn& is_sawn = {});
 

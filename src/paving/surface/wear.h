@@ -9,7 +9,7 @@
 
 namespace shatterpave::paving {
 
-// For each stone how much goes over it: from 0 at the border of the area to 1 at the stone farthest from it, smoothly.
+// For each stone the traffic over it: from 0 at the border of the area to 1 at the stone farthest from it, smoothly.
 std::vector<double> traffic(const std::vector<Stone>& stones, const geometry::RegionIndex& area);
 
 // Sides of a cut stone that lie along the border of the area, where it was cut. `area` is that of the pavement, and is kept.

@@ -55,7 +55,7 @@ struct Joining {
   double stoutness_mm = std::numeric_limits<double>::infinity();  // of the weakest of their halves
   int falls_apart = 0;      // how many of them do, or leave the bed bare, since the joint takes a neck or an end of them
   double hollow_mm2 = 0.0;  // between them and their convex hulls, more than before
-  double shared_mm = 0.0;   // joints that are no more
+  double shared_mm = 0.0;   // joints that vanish
 };
 
 vec2 direction(const Polygon& polygon, std::size_t side) {

@@ -13,7 +13,7 @@ namespace shatterpave::paving {
 struct Stock {
   vec2 size_mm{0.0, 0.0};  // along the stone's axis, across it
   double area_mm2 = 0.0;   // of its face
-  // Where this is not 0, 0: the size of stones that lie at right angles to `along`, if it is another.
+  // The size of stones that lie at right angles to `along`, if they have another one; else 0, 0.
   vec2 turned_size_mm{0.0, 0.0};
   vec2 along{1.0, 0.0};
 
@@ -41,8 +41,8 @@ std::vector<geometry::Polygon> trimmed(const geometry::Polygon& face, vec2 axis,
 std::vector<geometry::Polygon> cut_across(const geometry::Polygon& polygon, vec2 axis, bool by_length,
                                           const std::vector<double>& places_mm);
 
-// The polygon in two parts of one area, or as near to it as may be with the first part no larger than `most_mm` and the second
-// neither, along the axis (`by_length`) or across it. Nothing if it falls into more parts.
+// The polygon in two parts of equal area, or as nearly equal as it can be cut so that neither part is longer than `most_mm`
+// along the axis (`by_length`) or across it. Nothing if it falls into more parts.
 struct Halves {
   geometry::Polygon first;
   geometry::Polygon second;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/parallel.h"
 #include "core/random.h"
 #include "geometry/clip.h"
 #include "geometry/lattice.h"
+#include "paving/tiles/hand_stones.h"
 
 namespace shatterpave::paving {
 
@@ -17,7 +19,14 @@ namespace {
 // Rounding of both faces to the lattice, and of the cells that they are of, with some room.
 constexpr double hairline_mm = 0.01;
 
-geometry::Polygon moved(const geometry::Polygon& outline, const Pavement& pavement, double bulge, std::uint64_t seed, Id id) {
+// How far a corner may move, where sides stray into the joint by `bulge` of it.
+double own_room_mm(const Pavement& pavement, double bulge) {
+  return std::max(0.0, (0.5 - bulge) * pavement.joint_mm - hairline_mm);
+}
+
+// Takes what it uses off `room_mm`.
+geometry::Polygon moved(const geometry::Polygon& outline, const Pavement& pavement, double& room_mm, std::uint64_t seed,
+                        Id id) {
   const Variation& variation = pavement.variation;
   const auto draw = [&](std::uint32_t index) { return 2.0 * uniform(seed, {Stream::stone_place, id, index}) - 1.0; };
   const double scale = 1.0 + variation.size * draw(0);
@@ -31,31 +40,44 @@ geometry::Polygon moved(const geometry::Polygon& outline, const Pavement& paveme
     steps.push_back(middle + scale * rotated(p - middle, turn) + offset - p);
     farthest = std::max(farthest, std::sqrt(glm::dot(steps.back(), steps.back())));
   }
-  const double own_part = 0.5 - bulge;
-  const double most = std::max(0.0, own_part * pavement.joint_mm - hairline_mm);
-  const double part = farthest > most ? most / farthest : 1.0;
+  const double part = farthest > room_mm ? room_mm / farthest : 1.0;
   geometry::Polygon result(outline.size());
   for (std::size_t i = 0; i < outline.size(); ++i) result[i] = geometry::on_lattice(outline[i] + part * steps[i]);
   result = geometry::cleaned(result);
-  return geometry::is_simple(result) && geometry::area(result) > 0.0 ? result : outline;
+  if (!geometry::is_simple(result) || geometry::area(result) <= 0.0) return outline;
+  room_mm = std::max(0.0, room_mm - part * farthest);
+  return result;
+}
+
+// Without those that the seed leaves out; of stones laid by hand they are told.
+void leave_out(StoneLayout& layout, const Pavement& pavement, std::uint64_t seed) {
+  const auto is_missing = [&](const Stone& stone) {
+    const Id id = Id(pavement.name).child(static_cast<std::uint64_t>(stone.id));
+    return uniform(seed, {Stream::stone_missing, id}) < pavement.variation.missing;
+  };
+  if (pavement.hand.amount > 0.0) std::ranges::copy_if(layout.stones, std::back_inserter(layout.missing), is_missing);
+  std::erase_if(layout.stones, is_missing);
 }
 
 }  // namespace
 
-StoneLayout varied(StoneLayout layout, const Pavement& pavement, double bulge, std::uint64_t seed) {
+StoneLayout varied(StoneLayout layout, const std::vector<bool>& held, const Pavement& pavement, double bulge,
+                   std::uint64_t seed) {
   const Variation& variation = pavement.variation;
   const auto id_of = [&](const Stone& stone) { return Id(pavement.name).child(static_cast<std::uint64_t>(stone.id)); };
-  if (variation.size > 0.0 || variation.rotation > Angle() || variation.offset_mm > 0.0) {
+  const bool by_hand = pavement.hand.amount > 0.0;
+  const bool moves = variation.size > 0.0 || variation.rotation > Angle() || variation.offset_mm > 0.0;
+  if (moves || by_hand) {
     parallel_for(layout.stones.size(), [&](std::size_t s) {
       Stone& stone = layout.stones[s];
-      stone.outline_mm = moved(stone.outline_mm, pavement, bulge, seed, id_of(stone));
+      double room_mm = !held.empty() && held[s] ? 0.0 : own_room_mm(pavement, bulge);
+      if (moves) stone.outline_mm = moved(stone.outline_mm, pavement, room_mm, seed, id_of(stone));
+      if (!by_hand) return;
+      stone.outline_mm = hand_face(stone.outline_mm, pavement, room_mm, seed, id_of(stone));
+      stone.sunk_mm = sunk_mm(pavement, seed, id_of(stone));
     });
   }
-  if (variation.missing > 0.0) {
-    std::erase_if(layout.stones, [&](const Stone& stone) {
-      return uniform(seed, {Stream::stone_missing, id_of(stone)}) < variation.missing;
-    });
-  }
+  if (variation.missing > 0.0) leave_out(layout, pavement, seed);
   return layout;
 }
 

@@ -172,7 +172,7 @@ class ShapeReader {
     }
   }
 
-  // One of several features: what is wrong with it is its own fault.
+  // A feature among several: what is wrong with it concerns it alone.
   void visit_or_fault(const json& object, const std::string& path, const Within& within) {
     std::optional<InputError> fault;
     const std::size_t features = plan_.features.size();

@@ -96,8 +96,8 @@ std::optional<vec2> middle_of(const Plan& plan) {
 
 // Other maps than Mercator's draw lengths too long or too short as well, far from where they are meant for.
 void judge_scale(const std::string& name, const Place& place, Plan& plan) {
-  constexpr double most_wrong = 0.1;   // what no one can want; maps of whole continents are off by 5 %
-  constexpr double most_quiet = 0.01;  // the grids of surveys are off by less than 0.1 %
+  constexpr double most_wrong = 0.1;   // more is refused: even maps of whole continents are off by 5 % at the most
+  constexpr double most_quiet = 0.01;  // less is not told: the grids of surveys are off by less than 0.1 %
   const auto middle = middle_of(plan);
   const auto scale = middle ? map_scale(name, *middle) : std::nullopt;
   if (!scale) return;

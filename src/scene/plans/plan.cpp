@@ -199,21 +199,37 @@ constexpr std::array<std::string_view, 10> geojson_endings = {".geojson",   ".js
                                                               ".geojsonl",  ".geojsonld", ".geojsons", ".geojsonseq",
                                                               ".ndgeojson", ".ndjson",    ".jsonl",    ".jsonlines"};
 
-enum class PlanFormat { geojson, svg };
+enum class PlanFormat { geojson, svg, dxf };
 
 std::optional<PlanFormat> format_of_name(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (ending == ".svg") return PlanFormat::svg;
+  if (ending == ".dxf") return PlanFormat::dxf;
   if (std::ranges::find(geojson_endings, ending) != geojson_endings.end()) return PlanFormat::geojson;
   return std::nullopt;
 }
 
-// By what every text of XML begins with.
+// By what every text of XML begins with, and every DXF but for its comments.
 PlanFormat format_of_text(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF\xFF\xFE");
-  return first != std::string_view::npos && text[first] == '<' ? PlanFormat::svg : PlanFormat::geojson;
+  if (first == std::string_view::npos) return PlanFormat::geojson;
+  if (text[first] == '<') return PlanFormat::svg;
+  const std::string_view code = text.substr(first, text.find_first_of("\r\n", first) - first);
+  return code == "0" || code == "999" ? PlanFormat::dxf : PlanFormat::geojson;
+}
+
+Plan read_as(PlanFormat format, const std::string& text, const std::string& file, double svg_scale) {
+  switch (format) {
+    case PlanFormat::svg:
+      return plan_of_svg(text, file, svg_scale);
+    case PlanFormat::dxf:
+      return plan_of_dxf(text, file);
+    case PlanFormat::geojson:
+      break;
+  }
+  return plan_of_geojson(text, file);
 }
 
 }  // namespace
@@ -222,12 +238,13 @@ Plan plan_of_file(const std::filesystem::path& file, const Place& place, double 
   const std::optional<PlanFormat> named = format_of_name(file);
   std::error_code error;
   if (!named && !is_nameless(file) && !std::filesystem::is_fifo(file, error)) {
-    throw InputError(place, "expected a file that ends in .geojson, .json or .svg, got " + in_quotes(file.filename().string()));
+    throw InputError(place,
+                     "expected a file that ends in .geojson, .json, .svg or .dxf, got " + in_quotes(file.filename().string()));
   }
   const std::string text = input_text(file, largest_outline_bytes, place);
   const PlanFormat format = named ? *named : format_of_text(text);
   if (format == PlanFormat::geojson) require_utf8(text, file.string());
-  Plan plan = format == PlanFormat::svg ? plan_of_svg(text, file.string(), svg_scale) : plan_of_geojson(text, file.string());
+  Plan plan = read_as(format, text, file.string(), svg_scale);
   plan.sum = sha256(text);
   return plan;
 }

@@ -1,4 +1,5 @@
-// Plans: files of their own (GeoJSON, SVG) with areas, lines and points, which a scene takes outlines, holes and guides from.
+// Plans: files of their own (GeoJSON, SVG, DXF) with areas, lines and points, which a scene takes outlines, holes and guides
+// from.
 #pragma once
 
 #include <cstddef>
@@ -91,9 +92,9 @@ struct Plan {
   std::vector<Note> notes;        // about the file as a whole
 };
 
-// The plan of a file, which must end in .svg or one of the endings of GeoJSON, unless it is a pipe: then its first character
-// tells what it is. `place` is that of the file's name in the scene; `svg_scale` is the number of millimetres in the world for
-// one on an SVG page. Throws InputError with the place in that file.
+// The plan of a file, which must end in .svg, .dxf or one of the endings of GeoJSON, unless it is a pipe: then its first
+// character tells what it is. `place` is that of the file's name in the scene; `svg_scale` is the number of millimetres in the
+// world for one on an SVG page. Throws InputError with the place in that file.
 Plan plan_of_file(const std::filesystem::path& file, const Place& place, double svg_scale = 1.0);
 
 // GeoJSON (RFC 7946; with the `crs` of 2008), one text or several: lines, or records (RFC 8142). Each polygon of a MultiPolygon
@@ -113,6 +114,13 @@ Plan plan_of_geojson(std::string_view text, const std::string& file);
 // group goes by its `id`, `inkscape:label` and `data-name`, and by the words of its `class`.
 inline constexpr double svg_tolerance_mm = 0.1;
 Plan plan_of_svg(std::string_view bytes, const std::string& file, double scale = 1.0);
+
+// DXF as text, R12 and later: lines, polylines with bulges, circles, arcs, ellipses, splines, hatches and points of the model
+// that are seen (not on paper, nor in a layer that is off or frozen), blocks where they are inserted. Curves become lines: of
+// an arc a side for each quarter of a degree, of a spline eight for each control point. What is closed is an area (and a line
+// to whoever asks for lines alone); open lines of one layer that meet end to end are an outline. A shape goes by its handle;
+// its layer is a group with the id and the class of its name. Units are those of $INSUNITS; words and 3D bodies are left out.
+Plan plan_of_dxf(std::string_view text, const std::string& file);
 
 // 0.02 mm on the page, but no less than 0.1 mm in the world.
 double join_tolerance_mm(double scale);

@@ -1,4 +1,4 @@
-// PROJ, opened when it is first asked for: with the 40 libraries that it needs itself it would take longer to load than a scene
+// PROJ, opened when it is first needed: with the 40 libraries that it needs itself it would take longer to load than a scene
 // takes to check, and most scenes name no reference system.
 #pragma once
 

@@ -22,13 +22,13 @@ struct ReferenceSystem {
   bool can_be_stated = false;  // whether a scene may state units for it: it is unknown, or of no place
 };
 
-// The system of that name, in any of the spellings that are about:
-//   EPSG:25833, ESRI:102100, IAU_2015:30100, CRS:84, OGC:CRS84h, 25833       an authority and its code; EPSG without one
-//   urn:ogc:def:crs:EPSG::25833, with a version, urn:x-ogc:…                 RFC 5165 and what came before it
-//   http(s)://www.opengis.net/def/crs/EPSG/0/25833, …/gml/srs/epsg.xml#25833, spatialreference.org, epsg.io
-//   EPSG:25833+7837, urn:ogc:def:crs,crs:EPSG::25833,crs:EPSG::7837, …/def/crs-compound?1=…&2=…   with heights, which are
-//   passed over WGS 84 / UTM zone 33N                                                    a name, whatever its case, spaces and
-//   signs WKT, PROJJSON, strings of PROJ
+// The system of that name, in any of the spellings that are in use:
+// - an authority and its code, EPSG without one: EPSG:25833, ESRI:102100, IAU_2015:30100, CRS:84, OGC:CRS84h, 25833;
+// - URNs of RFC 5165 and what came before it: urn:ogc:def:crs:EPSG::25833, with a version, urn:x-ogc:…;
+// - addresses: http(s)://www.opengis.net/def/crs/EPSG/0/25833, …/gml/srs/epsg.xml#25833, spatialreference.org, epsg.io;
+// - with heights, which are ignored: EPSG:25833+7837, urn:ogc:def:crs,crs:EPSG::25833,crs:EPSG::7837, …/def/crs-compound?…;
+// - a name, whatever its case, spaces and signs: WGS 84 / UTM zone 33N;
+// - WKT, PROJJSON, strings of PROJ.
 // Of systems with a name of their own in several ways (geographic, geocentric) the one with two axes is taken. Nothing but
 // PROJ's own dataset is read: no settings of the user, nothing of the network. Throws std::runtime_error where PROJ is not
 // there.

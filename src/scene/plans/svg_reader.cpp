@@ -56,7 +56,7 @@ Ending ending_of(const Subpath& subpath, double tolerance_mm) {
   if (subpath.closed || returns) return Ending::closed;
   const double gap = glm::distance(points.front(), points.back());
   if (points.size() < 4 || gap > tolerance_mm) return Ending::open;
-  // Of a line no longer than that nobody can tell.
+  // A wider gap, in a line no longer than this, may be meant.
   double length = 0.0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) length += glm::distance(points[i], points[i + 1]);
   return gap <= 0.01 * length ? Ending::nearly : Ending::open;

@@ -1,12 +1,50 @@
 #include "scene/schema/idle_keys.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstddef>
 
+#include "paving/limits.h"
 #include "scene/schema/pane_keys.h"
 #include "scene/schema/pavement_keys.h"
 #include "scene/schema/scene_keys.h"
 
 namespace shatterpave::scene {
+
+namespace {
+
+// Of sections with the same facts, from `table` on, "" or "pane[0]".
+template <typename Facts, typename... Sections>
+void add_idle(const std::string& table, const Facts& facts, std::vector<std::string>& paths, const Sections&... sections) {
+  const auto add = [&](const auto& section) {
+    for (const std::string& path : idle_paths(section, facts)) {
+      paths.push_back(fmt::format("{}{}{}", table, table.empty() ? "" : ".", path));
+    }
+  };
+  (add(sections), ...);
+}
+
+void add_idle_of_pane(const TomlTable& table, const glass::Pane& pane, std::vector<std::string>& paths) {
+  const PaneFacts facts{table, pane};
+  add_idle(table.path(), facts, paths, pane_keys, growth_keys, rings_keys, crater_keys, laminate_keys, tempering_keys,
+           crack_sheet_keys, shards_keys);
+  const std::vector<TomlTable> impacts = impact_keys.tables_in(table, most_impacts);
+  for (std::size_t i = 0; i < std::min(impacts.size(), pane.impacts.size()); ++i) {
+    add_idle(impacts[i].path(), ImpactFacts{impacts[i], facts, pane.impacts[i]}, paths, impact_keys);
+  }
+}
+
+// Of the things of one table the first stands for all.
+template <typename Thing>
+const Thing* thing_of(const std::string& path, const std::vector<Thing>& things, const std::vector<KeyPlaces>& places) {
+  for (std::size_t i = 0; i < std::min(things.size(), places.size()); ++i) {
+    if (places[i].place("").key == path) return &things[i];
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 void tell_idle_keys(const TomlTable& table, const glass::Pane& pane, std::vector<Note>& notes) {
   const PaneFacts facts{table, pane};
@@ -30,13 +68,14 @@ void tell_idle_keys(const TomlTable& table, const glass::Pane& pane, std::vector
   }
 }
 
-void tell_idle_keys(const TomlTable& table, const paving::Pavement& pavement, bool is_flight, std::vector<Note>& notes) {
-  const PavementFacts facts{table, pavement, is_flight};
+void tell_idle_keys(const TomlTable& table, const paving::Pavement& pavement, std::vector<Note>& notes) {
+  const PavementFacts facts{table, pavement};
   IdleKeys<PavementFacts> idle(facts, notes);
   idle.tell(pavement_keys);
   idle.tell(direction_keys);
   idle.tell(surface_keys);
   idle.tell(variation_keys);
+  idle.tell(hand_keys);
   idle.tell(relief_keys);
   idle.tell(textures_keys);
   idle.tell(ground_keys);
@@ -49,7 +88,25 @@ void tell_idle_keys(const TomlTable& root, std::vector<Note>& notes) {
   IdleKeys<SceneFacts> idle(facts, notes);
   idle.tell(root_keys);
   idle.tell(still_keys);
+  idle.tell(camera_keys);
+  idle.tell(light_keys);
   idle.tell(plan_keys);
+}
+
+std::vector<std::string> idle_key_paths(const TomlTable& root, const Scene& scene) {
+  std::vector<std::string> paths;
+  add_idle("", SceneFacts{root}, paths, root_keys, still_keys, camera_keys, light_keys, plan_keys);
+  for (const TomlTable& table : pane_keys.tables_in(root, most_panes)) {
+    const glass::Pane* pane = thing_of(table.path(), scene.panes, scene.pane_places);
+    if (pane != nullptr) add_idle_of_pane(table, *pane, paths);
+  }
+  for (const TomlTable& table : pavement_keys.tables_in(root, paving::most_pavements)) {
+    const paving::Pavement* pavement = thing_of(table.path(), scene.pavements, scene.pavement_places);
+    if (pavement == nullptr) continue;
+    add_idle(table.path(), PavementFacts{table, *pavement}, paths, pavement_keys, direction_keys, surface_keys, variation_keys,
+             relief_keys, textures_keys, ground_keys, steps_keys, detail_keys);
+  }
+  return paths;
 }
 
 }  // namespace shatterpave::scene

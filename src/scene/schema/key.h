@@ -21,6 +21,8 @@ enum class ValueType {
   text,
   choice,       // one of several texts
   point,        // [x, y]
+  place,        // [x, y, z]
+  pixels,       // [width, height], whole numbers
   limits,       // [least, greatest]
   points,       // [[x, y], …]
   point_lists,  // [[[x, y], …], …]
@@ -30,7 +32,7 @@ enum class ValueType {
 };
 
 // The value of a key that is left out; nothing where that follows from other keys.
-using DefaultValue = std::variant<std::monostate, bool, std::int64_t, double, vec2, std::string>;
+using DefaultValue = std::variant<std::monostate, bool, std::int64_t, double, vec2, vec3, std::string>;
 
 struct Key {
   std::string_view name;

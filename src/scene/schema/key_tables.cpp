@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/schema/frame_keys.h"
 #include "scene/schema/outline_rows.h"
 #include "scene/schema/pane_keys.h"
 #include "scene/schema/pavement_keys.h"
@@ -20,8 +21,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // In the order of ValueType.
-constexpr std::array<std::string_view, 12> type_names = {"flag",   "number", "whole_number", "text",     "choice", "point",
-                                                         "limits", "points", "point_lists",  "features", "table",  "tables"};
+constexpr std::array<std::string_view, 14> type_names = {"flag",        "number",   "whole_number", "text",   "choice",
+                                                         "point",       "place",    "pixels",       "limits", "points",
+                                                         "point_lists", "features", "table",        "tables"};
 
 std::string_view type_name(ValueType type) { return type_names.at(static_cast<std::size_t>(type)); }
 
@@ -61,6 +63,10 @@ std::string form_text(const Key& key) {
     }
     case ValueType::point:
       return fmt::format("`[x, y]`, each {}", range_text(key.range.value()));
+    case ValueType::place:
+      return fmt::format("`[x, y, z]`, each {}", range_text(key.range.value()));
+    case ValueType::pixels:
+      return fmt::format("`[width, height]`, whole numbers, each {}", range_text(key.whole_range.value()));
     case ValueType::limits:
       return fmt::format("`[least, greatest]`, each {}", range_text(key.range.value()));
     case ValueType::points:
@@ -83,6 +89,7 @@ struct ValueText {
   std::string operator()(std::int64_t value) const { return number_text(static_cast<double>(value)); }
   std::string operator()(double value) const { return number_text(value); }
   std::string operator()(vec2 value) const { return fmt::format("`[{:.6g}, {:.6g}]`", value.x, value.y); }
+  std::string operator()(vec3 value) const { return fmt::format("`[{:.6g}, {:.6g}, {:.6g}]`", value.x, value.y, value.z); }
   std::string operator()(const std::string& value) const { return fmt::format("`\"{}\"`", value); }
 };
 
@@ -95,6 +102,7 @@ std::string default_text(const Key& key) {
 struct ValueJson {
   Json operator()(std::monostate) const { return nullptr; }
   Json operator()(vec2 value) const { return Json::array({value.x, value.y}); }
+  Json operator()(vec3 value) const { return Json::array({value.x, value.y, value.z}); }
   template <typename Value>
   Json operator()(const Value& value) const {
     return value;
@@ -102,25 +110,25 @@ struct ValueJson {
 };
 
 Json json_of(const KeyTable& table, const Key& key) {
-  Json json{{"path", path_of(table, key)}, {"type", type_name(key.type)}};
-  if (const std::string_view unit = unit_of(key.name); !unit.empty()) json["unit"] = unit;
+  Json entry{{"path", path_of(table, key)}, {"type", type_name(key.type)}};
+  if (const std::string_view unit = unit_of(key.name); !unit.empty()) entry["unit"] = unit;
   if (key.range) {
-    json["low"] = key.range->low;
-    json["high"] = key.range->high;
-    json["open_low"] = key.range->open_low;
-    json["open_high"] = key.range->open_high;
+    entry["low"] = key.range->low;
+    entry["high"] = key.range->high;
+    entry["open_low"] = key.range->open_low;
+    entry["open_high"] = key.range->open_high;
   } else if (key.whole_range) {
-    json["low"] = key.whole_range->low;
-    json["high"] = key.whole_range->high;
-    json["open_low"] = false;
-    json["open_high"] = false;
+    entry["low"] = key.whole_range->low;
+    entry["high"] = key.whole_range->high;
+    entry["open_low"] = false;
+    entry["open_high"] = false;
   }
-  if (!key.choices.empty()) json["choices"] = key.choices;
-  if (!key.form.empty()) json["written"] = form_text(key);
-  json["default"] = std::visit(ValueJson{}, key.value);
-  if (!key.default_words.empty()) json["default_words"] = key.default_words;
-  json["sentence"] = key.sentence;
-  return json;
+  if (!key.choices.empty()) entry["choices"] = key.choices;
+  if (!key.form.empty()) entry["written"] = form_text(key);
+  entry["default"] = std::visit(ValueJson{}, key.value);
+  if (!key.default_words.empty()) entry["default_words"] = key.default_words;
+  entry["sentence"] = key.sentence;
+  return entry;
 }
 
 // How a table's header is written in a scene file: [[pane]], [pane.growth].
@@ -156,14 +164,41 @@ std::string markdown(std::string_view path, std::string_view what, std::span<con
 }  // namespace
 
 std::span<const KeyTable> key_tables() {
-  static const std::array tables = {root_keys.key_table(),      still_keys.key_table(),     plan_keys.key_table(),
-                                    pane_keys.key_table(),      impact_keys.key_table(),    crack_sheet_keys.key_table(),
-                                    shards_keys.key_table(),    growth_keys.key_table(),    rings_keys.key_table(),
-                                    crater_keys.key_table(),    laminate_keys.key_table(),  tempering_keys.key_table(),
-                                    pavement_keys.key_table(),  direction_keys.key_table(), surface_keys.key_table(),
-                                    variation_keys.key_table(), relief_keys.key_table(),    textures_keys.key_table(),
-                                    ground_keys.key_table(),    steps_keys.key_table(),     detail_keys.key_table()};
+  static const std::array tables = {
+      root_keys.key_table(),     still_keys.key_table(),       camera_keys.key_table(),   light_keys.key_table(),
+      frames_keys.key_table(),   frame_key_keys.key_table(),   plan_keys.key_table(),     pane_keys.key_table(),
+      impact_keys.key_table(),   crack_sheet_keys.key_table(), shards_keys.key_table(),   growth_keys.key_table(),
+      rings_keys.key_table(),    crater_keys.key_table(),      laminate_keys.key_table(), tempering_keys.key_table(),
+      pavement_keys.key_table(), direction_keys.key_table(),   surface_keys.key_table(),  variation_keys.key_table(),
+      hand_keys.key_table(),     colour_keys.key_table(),      relief_keys.key_table(),   textures_keys.key_table(),
+      ground_keys.key_table(),   steps_keys.key_table(),       detail_keys.key_table()};
   return tables;
+}
+
+const Key* key_of_path(std::string_view path) {
+  const std::string_view breaks = ".[";
+  std::string table;
+  const Key* key = nullptr;
+  bool is_element_next = false;  // what follows is an index, or a name, in a list of tables
+  while (!path.empty()) {
+    const std::size_t end = path.find_first_of(breaks, 1);
+    std::string_view step = path.substr(0, end);
+    path.remove_prefix(std::min(end, path.size()));
+    if (step.starts_with('.')) step.remove_prefix(1);
+    if (std::exchange(is_element_next, false)) continue;
+    if (key != nullptr && key->type != ValueType::table && key->type != ValueType::tables) {
+      return step.starts_with('[') ? key : nullptr;
+    }
+    const auto tables = key_tables();
+    const auto known = std::ranges::find(tables, table, &KeyTable::path);
+    if (known == tables.end()) return nullptr;
+    const auto found = std::ranges::find(known->keys, step, &Key::name);
+    if (found == known->keys.end()) return nullptr;
+    key = &*found;
+    is_element_next = key->type == ValueType::tables;
+    table += fmt::format("{}{}{}", table.empty() ? "" : ".", step, is_element_next ? "[]" : "");
+  }
+  return key;
 }
 
 std::string keys_text() {

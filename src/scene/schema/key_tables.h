@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "scene/schema/key.h"
 
@@ -10,6 +11,10 @@ namespace shatterpave::scene {
 
 // Outer tables come before the tables in them.
 std::span<const KeyTable> key_tables();
+
+// The key to which a path of values leads (scene/override.h): `pane.window.thickness_mm`, `pane[0].size_mm[1]`. Null where it
+// leads to none.
+const Key* key_of_path(std::string_view path);
 
 // A line for each key: path, type and range, default, what it does.
 std::string keys_text();

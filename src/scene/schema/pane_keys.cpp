@@ -11,6 +11,7 @@ namespace shatterpave::scene {
 namespace {
 
 using glass::CrackSheet;
+using glass::Growth;
 using glass::Impact;
 using glass::Laminated;
 using glass::Pane;
@@ -26,9 +27,12 @@ using TemperingRow = Row<Tempered, PaneFacts>;
 using SheetRow = Row<CrackSheet, PaneFacts>;
 using ShardsRow = Row<ShardsAsked, PaneFacts>;
 
+constexpr std::string_view beside_cracks_file = "beside cracks_file";
 constexpr std::string_view without_real = "without pattern = \"real\"";
 
 bool with_shards(const PaneFacts& f) { return f.pane.shards.has_value(); }
+bool with_upright_shards(const PaneFacts& f) { return f.pane.shards && !f.pane.shards->leaning; }
+bool with_cracks_file(const PaneFacts& f) { return f.pane.given_cracks.has_value(); }
 bool without_pattern_real(const PaneFacts& f) { return !f.is_real(); }
 bool on_laminated(const PaneFacts& f) { return f.is_laminated(); }
 bool unless_laminated(const PaneFacts& f) { return !f.is_laminated(); }
@@ -36,8 +40,10 @@ bool unless_tempered(const PaneFacts& f) { return !f.is_tempered(); }
 bool without_rings(const PaneFacts& f) { return f.pane.rings.count == 0; }
 bool all_interrupted(const PaneFacts& f) { return f.pane.rings.interruption == 1.0; }
 bool without_bevels(const PaneFacts& f) { return f.pane.shards && f.pane.shards->bevel_mm == 0.0; }
+// A window's preset says more than what is not read of tempered glass.
 bool without_preset(const PaneFacts& f) {
-  return f.is_tempered() && f.has("impact") && (f.has("size_mm") || f.has("outline_mm") || f.has("outline_file"));
+  return f.table.text("preset") != glass::stone_through_window.name && f.is_tempered() && f.has("impact") &&
+         (f.has("size_mm") || f.has("outline_mm") || f.has("outline_file"));
 }
 
 bool with_a_count(const PaneFacts& f) {
@@ -52,14 +58,15 @@ bool on_shards(const ImpactFacts& f) { return f.pane.pane.shards.has_value(); }
 std::vector<std::string_view> preset_names() {
   std::vector<std::string_view> names;
   for (const glass::Preset& preset : glass::presets()) names.push_back(preset.name);
+  names.push_back(glass::stone_through_window.name);
   return names;
 }
 
 // A key of rings, whose default is another one in laminated glass.
 template <typename Member>
 RingsRow of_rings_too(const RingsRow& row, Member member) {
-  return row.meaning(
-      fmt::format("in laminated glass {:.6g}", static_cast<double>(std::invoke(member, glass::laminated_rings))));
+  const std::optional<double> laminated = std::invoke(member, glass::laminated_rings);
+  return row.meaning(fmt::format("in laminated glass {:.6g}", *laminated));
 }
 
 void apply_kind(Pane& pane) {
@@ -79,15 +86,27 @@ const Section<Pane, PaneFacts> pane_keys{
         outline_rows<Pane, PaneFacts>(),
         {
             PaneRow::number("thickness_mm", &Pane::thickness_mm, {0.1, 1000.0}, "thickness of the glass"),
-            PaneRow::by_code("preset", ValueType::choice, "an experiment of Agui et al. 1992; a key given beside it wins")
+            PaneRow::point("bow_mm", &Pane::bow_mm, {-glass::most_bow_mm, glass::most_bow_mm},
+                           "sagittas of a bent pane, across its width and along its height, each at most a tenth of that side: "
+                           "above 0 it bulges towards the side that is hit; see [Bent panes](meshes.md#bent-panes)"),
+            PaneRow::by_code(
+                "preset", ValueType::choice,
+                "an experiment of Agui et al. 1992, or a stone that goes through a window; a key given beside it wins")
                 .one_of(preset_names())
-                .written("one of twelve, below")
+                .written("one of thirteen, below")
                 .by_default("none")
                 .idle(without_preset, beside_tempered),
             PaneRow::tables("impact", most_impacts, "where the pane is hit, in the order in which it happened")
                 .by_default("with a preset one, in the middle of the bounding box; without one they must be given"),
+            PaneRow::by_code(
+                "cracks_file", ValueType::text,
+                "the cracks are in a file, a geometry file (JSON) or a drawing (SVG), instead of grown: see [Cracks "
+                "from elsewhere](#cracks-from-elsewhere); a relative name starts at the scene file's folder")
+                .written("file name")
+                .by_default("none: cracks grow"),
             PaneRow::table("growth", "how cracks grow")
                 .by_default("the preset's, or the model's")
+                .idle(with_cracks_file, beside_cracks_file)
                 .idle(on_tempered, beside_tempered),
             PaneRow::table("shards", "the pieces between the cracks as solids, some of them fallen")
                 .by_default("none: cracks only"),
@@ -100,6 +119,7 @@ const Section<Pane, PaneFacts> pane_keys{
                 .meaning("for laminated glass `\"real\"`")
                 .idle(on_tempered, beside_tempered),
             PaneRow::table("rings", "the rings of pattern `\"real\"`")
+                .idle(with_cracks_file, beside_cracks_file)
                 .idle(on_tempered, beside_tempered)
                 .idle(without_pattern_real, without_real),
             PaneRow::table("crater", "the spall on the far side, of pattern `\"real\"`")
@@ -113,7 +133,16 @@ const Section<Pane, PaneFacts> pane_keys{
                 "what POV-Ray gets of a crack: a thin tube of air in the middle of the glass, or a gap of air through "
                 "its thickness, which flashes as real cracks do")
                 .idle(with_shards, beside_shards),
-            PaneRow::table("crack_sheet", "shape of the gaps; needs `crack_body = \"sheet\"`").idle(with_shards, beside_shards),
+            PaneRow::table("crack_sheet", "shape of the gaps; needs `crack_body = \"sheet\"`, or shards that are `leaning`")
+                .idle(with_upright_shards, beside_shards),
+            PaneRow::number("time_us", &Pane::time_us, time_us_range,
+                            "until when the cracks have grown, in µs: what a later time shows goes on from there, and nothing "
+                            "that is there moves")
+                .by_default("all have stopped"),
+            PaneRow::number(
+                "crack_speed_m_s", in(&Pane::growth, &Growth::crack_speed_m_s), {1.0, 10'000.0},
+                "for `time_us`: speed of the mean large crack, and of the front in tempered glass; all other cracks "
+                "in the proportion of their speeds"),
         })};
 
 const Section<Impact, ImpactFacts> impact_keys{
@@ -147,14 +176,15 @@ const Section<Impact, ImpactFacts> impact_keys{
             .idle(by_count, beside_counts),
         ImpactRow::number("hole_mm", &Impact::hole_mm, {0.0, 1000.0},
                           "diameter of the hole on the viewer's side, where the impact went through, as a shot does; needs "
-                          "`crack_body = \"sheet\"`")
-            .idle(on_shards, beside_shards),
+                          "`crack_body = \"sheet\"`, or shards, of which it is the width of the hole in place of `missing_mm`"),
         ImpactRow::number("spall_mm", &Impact::spall_mm, {0.0, largest_spall_mm},
                           "diameter of the cone that broke off on the far side, at least `hole_mm`; flakes reach a third "
                           "farther. Hole and cone are made smaller where the edge or another impact leaves no room")
             .by_default("`hole_mm` + 4.5 thicknesses")
             .idle(on_shards, beside_shards)
             .idle([](const ImpactFacts& f) { return f.impact.hole_mm == 0.0; }, "without hole_mm"),
+        ImpactRow::number("time_us", &Impact::time_us, time_us_range,
+                          "when it comes, for the `time_us` of the pane; not before the impact before it"),
     }};
 
 const Section<Rings, PaneFacts> rings_keys{
@@ -164,6 +194,7 @@ const Section<Rings, PaneFacts> rings_keys{
             .idle(all_interrupted, "beside interruption = 1"),
         of_rings_too(RingsRow::number("first_radius_mm", &Rings::first_radius_mm, {0.1, 100'000.0}, "radius of the first ring"),
                      &Rings::first_radius_mm)
+            .by_default("a tenth of the root of the pane's area; in laminated glass 7")
             .idle(without_rings, "beside count = 0")
             .idle(all_interrupted, "beside interruption = 1"),
         of_rings_too(RingsRow::number("ratio", &Rings::ratio, {1.01, 100.0},
@@ -248,6 +279,10 @@ const Section<ShardsAsked, PaneFacts> shards_keys{
         ShardsRow::flag(
             "joined", in(&ShardsAsked::rules, &ShardRules::joined),
             "`true`: pieces that stand side by side are one body, without gaps, bevels, chips and walls between them"),
+        ShardsRow::flag(
+            "leaning", in(&ShardsAsked::rules, &ShardRules::leaning),
+            "`true`: broken walls lean, bow and twist by `tilt_deg`, `curve_deg` and `twist_mm` of `[pane.crack_sheet]`, "
+            "those on both sides of a crack alike; else they stand upright"),
         ShardsRow::number("gap_mm", in(&ShardsAsked::rules, &ShardRules::gap_mm), {0.02, 10.0},
                           "opening of the cracks, face to face"),
         ShardsRow::number("splinter_mm2", in(&ShardsAsked::rules, &ShardRules::splinter_mm2), {0.01, 1e6},
@@ -266,9 +301,10 @@ const Section<ShardsAsked, PaneFacts> shards_keys{
                   "beside chips_per_m = 0")
             .idle(without_bevels, beside_no_bevels),
         ShardsRow::number("missing", in(&ShardsAsked::rules, &ShardRules::missing), {0.0, 1.0},
-                          "probability with which a piece at an impact leaves the pane"),
+                          "part of the glass near an impact that leaves the pane, in one hole; 0: none"),
         ShardsRow::number("missing_mm", in(&ShardsAsked::rules, &ShardRules::missing_mm), {0.0, 100000.0, true},
-                          "distance at which that probability has fallen to 1/e: about the radius of the hole")
+                          "distance at which that part has fallen to 1/e: about the radius of the hole")
+            .by_default("from the size of the pane, and from ball and speed")
             .idle([](const PaneFacts& f) { return f.pane.shards && f.pane.shards->missing == 0.0; }, "beside missing = 0"),
         ShardsRow::number(
             "held", in(&ShardsAsked::rules, &ShardRules::held), {0.0, 1.0},
@@ -291,6 +327,10 @@ const Section<ShardsAsked, PaneFacts> shards_keys{
                           "from the sides of the pane's bounding box to the walls beside it"),
         ShardsRow::number("floor_drop_mm", in(&ShardsAsked::rules, &ShardRules::floor_drop_mm), {0.0, 10000.0},
                           "floor below the lowest point of the pane; not above the sill"),
+        ShardsRow::number(
+            "time_s", in(&ShardsAsked::rules, &ShardRules::time_s), {0.0, 1e6},
+            "how far loose pieces have fallen, in s after the first of them is let go; 0: all are in the pane yet")
+            .by_default("all lie where they come to rest"),
     }};
 
 }  // namespace shatterpave::scene

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "scene/schema/names.h"
 #include "scene/schema/section.h"
 
 namespace shatterpave::scene {

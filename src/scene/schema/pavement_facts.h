@@ -14,13 +14,13 @@ struct PavementFacts {
   static constexpr std::string_view path = "pavement[]";
   const TomlTable& table;
   const paving::Pavement& pavement;
-  bool is_flight;
 
+  bool is_flight() const { return pavement.flight.has_value(); }
   bool has(std::string_view key) const { return table.place_of_given(key).has_value(); }
   // What is laid: a flight is of rows, running ones unless told.
   const paving::BondType& bond() const {
     const paving::BondType& type = paving::type_of(pavement);
-    return is_flight && type.bending != paving::Bending::rows ? paving::type_of(paving::Bond::running) : type;
+    return is_flight() && type.bending != paving::Bending::rows ? paving::type_of(paving::Bond::running) : type;
   }
   template <typename Kind>
   bool runs() const {
@@ -35,6 +35,6 @@ struct PavementFacts {
 
 inline constexpr std::string_view beside_steps = "beside [pavement.steps]";
 
-inline bool in_a_flight(const PavementFacts& f) { return f.is_flight; }
+inline bool in_a_flight(const PavementFacts& f) { return f.is_flight(); }
 
 }  // namespace shatterpave::scene

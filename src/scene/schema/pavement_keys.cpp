@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "paving/bonds/table.h"
+#include "paving/catalogue/hand_presets.h"
 #include "paving/catalogue/stone_sizes.h"
 #include "paving/limits.h"
 #include "scene/schema/outline_rows.h"
@@ -18,6 +19,7 @@ namespace {
 using paving::Bond;
 using paving::Bonding;
 using paving::Border;
+using paving::HandLaying;
 using paving::Look;
 using paving::Pavement;
 using paving::TextureSet;
@@ -25,12 +27,14 @@ using rows::in;
 using PavementRow = Row<Pavement, PavementFacts>;
 using DirectionRow = Row<DirectionAsked, PavementFacts>;
 using TexturesRow = Row<TextureSet, PavementFacts>;
+using ColourRow = Row<ColourAsked, PavementFacts>;
 using StepsRow = Row<paving::Flight, PavementFacts>;
 
 constexpr auto direction_words = std::to_array<Word<DirectionAsked::Kind>>({{"constant", DirectionAsked::Kind::constant},
                                                                             {"boundary", DirectionAsked::Kind::boundary},
                                                                             {"radial", DirectionAsked::Kind::radial},
-                                                                            {"guides", DirectionAsked::Kind::guides}});
+                                                                            {"guides", DirectionAsked::Kind::guides},
+                                                                            {"grid", DirectionAsked::Kind::grid}});
 
 constexpr Range turn_range{-360.0, 360.0};
 
@@ -129,6 +133,64 @@ PavementRow::List bond_rows() {
   };
 }
 
+bool is_uncoloured(const PavementFacts& f) { return f.pavement.look.colours.colours.empty(); }
+constexpr std::string_view without_colours = "without [[pavement.colour]]";
+
+void apply_hand_preset(Pavement& pavement, std::size_t chosen) {
+  const paving::HandPreset& preset = paving::hand_presets.at(chosen);
+  pavement.hand = preset.hand;
+  pavement.variation.missing = preset.missing;
+}
+
+PavementRow::List hand_rows() {
+  return {
+      PavementRow::preset("hand_preset", names_of(paving::hand_presets), apply_hand_preset,
+                          "sets `laid_by_hand`, the keys of `[pavement.hand]` and `variation.missing`; a key given beside it "
+                          "wins")
+          .by_default("none")
+          .idle(in_a_flight, beside_steps),
+      PavementRow::number("laid_by_hand", in(&Pavement::hand, &HandLaying::amount), {0.0, 1.0},
+                          "how far the hand of a paviour shows: 0 is exact, 1 a worn alley, with rows and lengths that differ, "
+                          "corners that lie by themselves and joints that are wedges about `joint_mm`; stones never touch")
+          .idle(in_a_flight, beside_steps),
+      PavementRow::table("hand", "corners and hollows of stones laid by hand")
+          .by_default("as `laid_by_hand` says")
+          .idle(in_a_flight, beside_steps)
+          .idle([](const PavementFacts& f) { return f.pavement.hand.amount == 0.0; }, "without laid_by_hand"),
+  };
+}
+
+PavementRow::List colour_rows() {
+  return {
+      PavementRow::tables("colour", most_colours,
+                          "colours of the stones in place of the material's, each with its share of the stones, which is kept "
+                          "to within half a per cent of 400 stones or more")
+          .by_default("the material's own")
+          .idle(in_a_flight, beside_steps),
+      PavementRow::by_code("colour_gradient_mm", ValueType::points,
+                           "from the first place to the second the colours follow one another, in the order of their tables")
+          .within(coordinate_range)
+          .written("`[[x, y], [x, y]]`")
+          .by_default("mixed evenly")
+          .idle(is_uncoloured, without_colours),
+      PavementRow::by_code("colour_attractors_mm", ValueType::points,
+                           "or away from these places, the first colour about them; not beside `colour_gradient_mm`")
+          .within(coordinate_range)
+          .written(fmt::format("`[[x, y], …]`, up to {}", most_attractors))
+          .by_default("none")
+          .idle(is_uncoloured, without_colours),
+      PavementRow::number(
+          "colour_blur", [](Pavement& p) -> double& { return p.look.colours.blur; }, {0.0, 1.0},
+          "how far colours that follow one another reach into each other: 0 are bands")
+          .idle(is_uncoloured, without_colours)
+          .idle(
+              [](const PavementFacts& f) {
+                return !f.pavement.look.colours.gradient_mm && f.pavement.look.colours.attractors_mm.empty();
+              },
+              "without colour_gradient_mm or colour_attractors_mm"),
+  };
+}
+
 PavementRow::List look_rows() {
   return {
       PavementRow::choice(
@@ -154,10 +216,12 @@ PavementRow::List table_rows() {
           .by_default("none")
           .idle(in_a_flight, beside_steps),
       PavementRow::table("relief", "roughness of the stones")
-          .idle([](const PavementFacts& f) { return f.is_flight && !f.has_body(); },
+          .idle([](const PavementFacts& f) { return f.is_flight() && !f.has_body(); },
                 "beside [pavement.steps] without a finish"),
-      PavementRow::table("textures",
-                         "what `--target textures` draws: size, window, seamless tile, format; see [textures](textures.md)"),
+      PavementRow::table(
+          "textures",
+          "what `--target textures` draws: size, window, seamless tile, format; pictures of the material in meshes; see "
+          "[textures](textures.md) and [meshes](meshes.md)"),
       PavementRow::table("ground", "how the ground lies, and a kerb").by_default("level"),
       PavementRow::table("steps", "the pavement is a flight of steps, one for each row").by_default("none"),
       PavementRow::table("detail", "fineness by distance, for POV-Ray").by_default("all stones alike"),
@@ -186,7 +250,17 @@ PavementRow::List stone_rows() {
 const Section<Pavement, PavementFacts> pavement_keys{
     "pavement[]",
     joined(joined(joined(joined(outline_rows<Pavement, PavementFacts>(), plan_rows()), stone_rows()), bond_rows()),
-           joined(look_rows(), table_rows()))};
+           joined(joined(hand_rows(), look_rows()), joined(colour_rows(), table_rows())))};
+
+const Section<ColourAsked, PavementFacts> colour_keys{
+    "pavement[].colour[]",
+    {
+        ColourRow::place("srgb", &ColourAsked::srgb, {0.0, 1.0}, "the colour, as pictures on a screen have it")
+            .written("`[red, green, blue]`, each {}")
+            .by_default("must be given"),
+        ColourRow::number("share", &ColourAsked::share, {1e-6, 1e6},
+                          "how much of the stones it has, beside the shares of the others"),
+    }};
 
 const Section<DirectionAsked, PavementFacts> direction_keys{
     "pavement[].direction",
@@ -194,7 +268,8 @@ const Section<DirectionAsked, PavementFacts> direction_keys{
         DirectionRow::choice(
             "kind", &DirectionAsked::kind, direction_words,
             "rows run one way; along the nearest side of the outline or a hole (rows of oblong packed stones are "
-            "mitred at corners of more than 50°); in circles; along polylines"),
+            "mitred at corners of more than 50°); in circles; along polylines; along vectors on a grid, stone by stone "
+            "(`packed`)"),
         DirectionRow::angle("angle_deg", &DirectionAsked::angle, turn_range, "constant: axis of the rows, from +x")
             .idle([](const PavementFacts& f) { return !f.is_straight(); }, "without kind = \"constant\""),
         DirectionRow::point("centre_mm", &DirectionAsked::centre_mm, coordinate_range, "radial: the centre")
@@ -211,6 +286,12 @@ const Section<DirectionAsked, PavementFacts> direction_keys{
             .written("file name")
             .by_default("`outline_file`")
             .idle(without_guides, without_guides_kind),
+        DirectionRow::by_code(
+            "grid_file", ValueType::text,
+            "grid: a file of vectors beside the scene, `.json` or `.csv`; see [directions](#a-direction-field)")
+            .written("file name")
+            .by_default("must be given for a grid")
+            .idle([](const PavementFacts& f) { return !f.runs<paving::GridDirection>(); }, "without kind = \"grid\""),
         DirectionRow::by_code("guides_feature", ValueType::features,
                               "which of its lines the rows follow, in place of `guides_mm`")
             .idle(without_guides, without_guides_kind),
@@ -232,7 +313,15 @@ const Section<TextureSet, PavementFacts> textures_keys{
         TexturesRow::point("tile_mm", &TextureSet::tile_mm, {1.0, 100'000.0}, "size of that tile; only beside `seamless`")
             .written("`[width, height]`, each {}")
             .by_default("near ten stones"),
+        TexturesRow::flag("directx_normals", &TextureSet::normals_down,
+                          "also normals for DirectX, whose green is turned over: `NAME_NormalDX`"),
+        TexturesRow::flag("packed_channels", &TextureSet::packed_channels,
+                          "also one picture with occlusion in red, roughness in green and metal, 0, in blue: "
+                          "`NAME_OcclusionRoughnessMetallic`"),
         TexturesRow::choice("format", &TextureSet::format, texture_format_words, "format of the files"),
+        TexturesRow::whole<std::uint16_t>("swatch_px", &TextureSet::swatch_px, {0, 4096},
+                                          "pixels along a side of the pictures of the material that stones in meshes have "
+                                          "(`gltf` and others); 0: colours alone"),
     }};
 
 const Section<paving::Flight, PavementFacts> steps_keys{

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <iterator>
+#include <filesystem>
+#include <utility>
 
 #include "geometry/lattice.h"
 #include "paving/bonds/table.h"
-#include "paving/derived/steps.h"
 #include "paving/limits.h"
+#include "scene/direction_file.h"
+#include "scene/input_file.h"
 #include "scene/schema/idle_keys.h"
 #include "scene/schema/pavement_keys.h"
 #include "scene/schema/ranges.h"
@@ -32,6 +33,16 @@ paving::GuidesDirection guides_of(const TomlTable& table) {
   return direction;
 }
 
+paving::GridDirection grid_of(const TomlTable& table, Plans& plans) {
+  const auto name = table.text("grid_file");
+  if (!name) refuse(table.place("grid_file"), "grid_file = \"…\", a file of vectors", "none");
+  const Place place = table.place("grid_file");
+  const auto folder = is_nameless(place.file) ? std::filesystem::path() : std::filesystem::path(place.file).parent_path();
+  DirectionFile file = direction_of_file(folder / *name, place);
+  plans.note_sum(file.sum);
+  return std::move(file.grid);
+}
+
 // Keys of kinds other than the chosen one are checked like all others; that they have no effect is told (idle_keys.h).
 paving::Direction direction_of(const TomlTable& pavement, Plans& plans) {
   using Kind = DirectionAsked::Kind;
@@ -47,6 +58,10 @@ paving::Direction direction_of(const TomlTable& pavement, Plans& plans) {
   } else if (is_guides || table->has("guides_mm")) {
     paving::GuidesDirection guides = guides_of(*table);
     if (is_guides) return guides;
+  }
+  if (asked.kind == Kind::grid || table->has("grid_file")) {
+    paving::GridDirection grid = grid_of(*table, plans);
+    if (asked.kind == Kind::grid) return grid;
   }
   if (asked.kind == Kind::boundary) return paving::BoundaryDirection{};
   if (asked.kind == Kind::radial) return paving::RadialDirection{geometry::on_lattice(asked.centre_mm)};
@@ -79,6 +94,33 @@ void read_ground(const TomlTable& pavement, paving::Pavement& result) {
   }
 }
 
+// Shares as the scene gives them, made to be 1 together.
+void read_colours(const TomlTable& pavement, paving::ColourMix& mix) {
+  double total = 0.0;
+  for (const TomlTable& table : colour_keys.tables_in(pavement, most_colours)) {
+    ColourAsked asked;
+    colour_keys.read(table, asked);
+    if (!table.has("srgb")) refuse(table.place("srgb"), "srgb = [red, green, blue], each 0 to 1", "none");
+    mix.colours.push_back(asked.srgb);
+    mix.shares.push_back(asked.share);
+    total += asked.share;
+  }
+  for (double& share : mix.shares) share /= total;
+  if (const auto points = pavement.points("colour_gradient_mm", coordinate_range)) {
+    if (points->points.size() != 2 || points->points[0] == points->points[1]) {
+      refuse(points->place, "two points that differ", fmt::format("{} points", points->points.size()));
+    }
+    mix.gradient_mm = std::pair(points->points[0], points->points[1]);
+  }
+  if (const auto points = pavement.points("colour_attractors_mm", coordinate_range)) {
+    if (mix.gradient_mm) refuse(points->place, "no colour_attractors_mm beside colour_gradient_mm", "both");
+    if (points->points.empty() || points->points.size() > most_attractors) {
+      refuse(points->place, fmt::format("1 to {} points", most_attractors), fmt::format("{}", points->points.size()));
+    }
+    mix.attractors_mm = points->points;
+  }
+}
+
 std::optional<paving::Detail> detail_of(const TomlTable& pavement) {
   paving::Detail detail;
   return detail_keys.read_in(pavement, detail) ? std::optional(detail) : std::nullopt;
@@ -98,6 +140,15 @@ void require_rows(const TomlTable& table, const paving::Pavement& pavement) {
   if (pavement.textures.seamless) refuse(table.place("textures"), "no seamless textures beside steps", "seamless = true");
 }
 
+// Only stones that are packed one by one follow a field of vectors.
+void require_packed(const TomlTable& table, const paving::Pavement& pavement) {
+  if (!std::holds_alternative<paving::GridDirection>(pavement.direction)) return;
+  if (paving::type_of(pavement).bending != paving::Bending::packed) {
+    refuse(table.place("bond"), "bond = \"packed\" beside direction.kind = \"grid\"", "another one");
+  }
+  if (table.has("steps")) refuse(table.place("steps"), "no steps beside direction.kind = \"grid\"", "steps");
+}
+
 std::optional<paving::Flight> flight_of(const TomlTable& table, const paving::Pavement& pavement,
                                         const std::vector<geometry::Region>& areas) {
   paving::Flight flight;
@@ -107,8 +158,8 @@ std::optional<paving::Flight> flight_of(const TomlTable& table, const paving::Pa
   require_rows(table, pavement);
   for (const geometry::Region& area : areas) {
     const geometry::Box box = geometry::bounding_box(area.outline);
-    if (glm::length(box.high - box.low) > static_cast<double>(most_pavements) * flight.tread_mm) {
-      refuse(steps->place("tread_mm"), fmt::format("treads so deep that there are at most {} steps", most_pavements),
+    if (glm::length(box.high - box.low) > static_cast<double>(paving::most_pavements) * flight.tread_mm) {
+      refuse(steps->place("tread_mm"), fmt::format("treads so deep that there are at most {} steps", paving::most_pavements),
              fmt::format("up to {:.0f}", glm::length(box.high - box.low) / flight.tread_mm));
     }
     if (std::holds_alternative<paving::BoundaryDirection>(pavement.direction) && !area.holes.empty()) {
@@ -118,7 +169,7 @@ std::optional<paving::Flight> flight_of(const TomlTable& table, const paving::Pa
   return flight;
 }
 
-// All that a table says of a pavement but its area.
+// All that a table says of a pavement but its area and its steps.
 paving::Pavement pavement_of(const TomlTable& table, Plans& plans) {
   paving::Pavement pavement;
   pavement.name = name_of(table);
@@ -126,6 +177,8 @@ paving::Pavement pavement_of(const TomlTable& table, Plans& plans) {
   pavement.direction = direction_of(table, plans);
   surface_keys.read_in(table, pavement);
   variation_keys.read_in(table, pavement.variation);
+  hand_keys.read_in(table, pavement);
+  read_colours(table, pavement.look.colours);
   relief_keys.read_in(table, pavement.relief);
   read_ground(table, pavement);
   pavement.detail = detail_of(table);
@@ -133,33 +186,21 @@ paving::Pavement pavement_of(const TomlTable& table, Plans& plans) {
   return pavement;
 }
 
-// A pavement for each of the areas of a table, or for each step of those.
+// A pavement for each of the areas of a table, all of the table's name.
 void append_pavements(const TomlTable& table, Plans& plans, Names& names, Scene& scene) {
-  name_of(table);
+  names.add(name_of(table), table.path(), table.place("name"));
   std::vector<geometry::Region> areas = without_holes_of_plan(table, plans, outlines_of(table, plans));
+  if (scene.pavements.size() + areas.size() > paving::most_pavements) {
+    refuse(table.place(), fmt::format("at most {} areas in all", paving::most_pavements), "more");
+  }
   paving::Pavement pavement = pavement_of(table, plans);
-  const std::optional<paving::Flight> flight = flight_of(table, pavement, areas);
-  tell_idle_keys(table, pavement, flight.has_value(), plans.notes());
-  const std::string name = pavement.name;
-  std::vector<paving::Pavement> parts;
+  require_packed(table, pavement);
+  pavement.flight = flight_of(table, pavement, areas);
+  tell_idle_keys(table, pavement, plans.notes());
+  const KeyPlaces places(table);
   for (geometry::Region& area : areas) {
     pavement.area = std::move(area);
-    if (flight) {
-      std::ranges::move(paving::steps(pavement, *flight), std::back_inserter(parts));
-    } else {
-      parts.push_back(pavement);
-    }
-    if (scene.pavements.size() + parts.size() > most_pavements) {
-      refuse(table.place(), fmt::format("at most {} areas in all", most_pavements), "more");
-    }
-  }
-  const KeyPlaces places(table);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    paving::Pavement& part = parts[i];
-    part.name = i == 0 ? name : fmt::format("{}_{}", name, i + 1);
-    names.add(part.name, i == 0 ? table.path() : fmt::format("part {} of {}", i + 1, table.path()), table.place("name"));
-    if (part.kerb.width_mm > 0.0) names.add(paving::kerb_name(part), table.path(), table.place("name"));
-    scene.pavements.push_back(std::move(part));
+    scene.pavements.push_back(pavement);
     scene.pavement_places.push_back(places);
   }
 }
@@ -167,7 +208,7 @@ void append_pavements(const TomlTable& table, Plans& plans, Names& names, Scene&
 }  // namespace
 
 void read_pavements(const TomlTable& root, Plans& plans, Names& names, Scene& scene) {
-  for (const TomlTable& table : root.tables("pavement", most_pavements, pavement_keys.names())) {
+  for (const TomlTable& table : root.tables("pavement", paving::most_pavements, pavement_keys.names())) {
     append_pavements(table, plans, names, scene);
   }
 }

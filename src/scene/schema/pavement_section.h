@@ -2,12 +2,13 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "scene/schema/names.h"
 #include "scene/schema/section.h"
 
 namespace shatterpave::scene {
 
-// Puts all pavements of a scene, from its root table, into `scene`, each with the places of its keys; their names go to
-// `names`. A table with several areas makes a pavement of each: NAME, NAME_2, NAME_3 …
+// Puts all pavements of a scene, from its root table, into `scene`, each with the places of its keys; the names of the tables
+// go to `names`. A table with several areas makes a pavement of each, all with its name.
 void read_pavements(const TomlTable& root, Plans& plans, Names& names, Scene& scene);
 
 }  // namespace shatterpave::scene

@@ -100,7 +100,7 @@ const Plan& Plans::plan(const TomlTable& table, std::string_view file_key) {
 std::string Plans::sums() const {
   std::string text;
   for (const auto& [path, plan] : plans_) text += plan.sum;
-  return text;
+  return text + other_sums_;
 }
 
 PlanFrame Plans::frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units) {

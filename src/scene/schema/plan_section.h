@@ -25,6 +25,8 @@ class Plans {
   std::vector<Note>& notes() { return notes_; }
 
   const Plan& plan(const TomlTable& table, std::string_view file_key);
+  // That something else was read from a file with that sum.
+  void note_sum(const std::string& sum) { other_sums_ += sum; }
   // The sums of all plans that were read, one after the other.
   std::string sums() const;
   PlanFrame frame(const Plan& plan, const std::vector<std::size_t>& shapes, std::optional<PlanUnits> units);
@@ -40,6 +42,7 @@ class Plans {
   std::optional<vec2> origin_;
   double svg_scale_ = 1.0;
   std::map<std::string, Plan> plans_;
+  std::string other_sums_;
   std::vector<SharedFrame> frames_;
 };
 

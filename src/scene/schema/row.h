@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -110,6 +111,29 @@ class Row {
     row.takes_default_of(member);
     row.read_ = [name, member, range](const TomlTable& table, Thing& thing) {
       if (const auto value = table.point(name, range)) std::invoke(member, thing) = *value;
+    };
+    return row;
+  }
+
+  // In space.
+  template <typename Member>
+  static Row place(std::string_view name, Member member, const Range& range, std::string_view sentence) {
+    Row row(name, ValueType::place, sentence);
+    row.key_.range = range;
+    row.takes_default_of(member);
+    row.read_ = [name, member, range](const TomlTable& table, Thing& thing) {
+      if (const auto value = table.place_in_space(name, range)) std::invoke(member, thing) = *value;
+    };
+    return row;
+  }
+
+  // The size of a picture, of an optional array of two.
+  template <typename Member>
+  static Row pixels(std::string_view name, Member member, const WholeRange& range, std::string_view sentence) {
+    Row row(name, ValueType::pixels, sentence);
+    row.key_.whole_range = range;
+    row.read_ = [name, member, range](const TomlTable& table, Thing& thing) {
+      if (const auto value = table.pixels(name, range)) std::invoke(member, thing) = *value;
     };
     return row;
   }
@@ -319,6 +343,18 @@ class Section {
   Rows rows_;
   std::vector<std::string_view> names_;
 };
+
+// The paths, from `Facts::path` on, of all keys of a section that have no effect, given or not.
+template <typename Thing, typename Facts>
+std::vector<std::string> idle_paths(const Section<Thing, Facts>& section, const Facts& facts) {
+  std::string_view within = section.path().substr(Facts::path.size());
+  if (within.starts_with('.')) within.remove_prefix(1);
+  std::vector<std::string> paths;
+  for (const auto& row : section.rows()) {
+    if (row.idleness(facts)) paths.push_back(fmt::format("{}{}{}", within, within.empty() ? "" : ".", row.key().name));
+  }
+  return paths;
+}
 
 // Tells the keys that a thing gives but that have no effect. Where a whole table has none, its keys are not told.
 template <typename Facts>

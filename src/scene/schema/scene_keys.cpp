@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "core/embedded.h"
+#include "paving/limits.h"
 #include "scene/schema/pane_keys.h"
 #include "scene/schema/pavement_keys.h"
+#include "scene/schema/ranges.h"
 
 namespace shatterpave::scene {
 
@@ -14,7 +16,11 @@ namespace {
 
 using SceneRow = Row<Scene, SceneFacts>;
 using StillRow = Row<Still, SceneFacts>;
+using CameraRow = Row<studio::Camera, SceneFacts>;
+using LightRow = Row<LightAsked, SceneFacts>;
 using PlanRow = Row<PlanAsked, SceneFacts>;
+
+using rows::in;
 
 constexpr double farthest = std::numeric_limits<double>::max();
 
@@ -48,7 +54,7 @@ bool SceneFacts::takes_plan(bool svg) const { return node_takes_plan(table.node(
 
 std::vector<std::string_view> settings() {
   constexpr std::string_view ending = "_still.pov";
-  std::vector<std::string_view> names;
+  std::vector<std::string_view> names{own_setting};
   for (const EmbeddedFile& file : embedded_files()) {
     if (file.name.ends_with(ending)) names.push_back(file.name.substr(0, file.name.rfind('.')));
   }
@@ -63,8 +69,11 @@ const Section<Scene, SceneFacts> root_keys{
                                        "all that is left to chance follows from it; `--seed N` wins"),
         SceneRow::table("plan", "where plans lie, and their scale").by_default("none"),
         SceneRow::tables("pane", most_panes, "a pane of glass each").by_default("none"),
-        SceneRow::tables("pavement", most_pavements, "a paved area each").by_default("none"),
+        SceneRow::tables("pavement", paving::most_pavements, "a paved area each").by_default("none"),
         SceneRow::table("still", "how pictures show the things"),
+        SceneRow::table("camera", "where pictures are taken from").by_default("the setting's own"),
+        SceneRow::table("light", "what lights the things").by_default("the setting's own"),
+        SceneRow::table("frames", "a shot: what changes over its frames").by_default("none"),
     }};
 
 const Section<Still, SceneFacts> still_keys{
@@ -79,6 +88,50 @@ const Section<Still, SceneFacts> still_keys{
         StillRow::flag("caustics", &Still::caustics,
                        "light that panes bend is thrown on what is behind them, by photons. About twice the time")
             .idle(without_pane, "without a pane"),
+    }};
+
+const Section<studio::Camera, SceneFacts> camera_keys{
+    "camera",
+    {
+        CameraRow::place("at_mm", &studio::Camera::at_mm, coordinate_range, "where it stands"),
+        CameraRow::place("look_at_mm", &studio::Camera::look_at_mm, coordinate_range, "what is in the middle of the picture"),
+        CameraRow::angle("field_of_view_deg", &studio::Camera::field_of_view, {0.1, 170.0}, "across the picture"),
+        CameraRow::number("focus_mm", &studio::Camera::focus_mm, {1.0, geometry::largest_coordinate_mm},
+                          "how far along the view things are sharp")
+            .beside("f_number", "f_number beside it"),
+        CameraRow::number("f_number", &studio::Camera::f_number, {0.1, 1000.0},
+                          "focal length over opening of the lens, on film 36 mm wide: the smaller, the more is blurred")
+            .beside("focus_mm", "focus_mm beside it")
+            .by_default("all is sharp"),
+        CameraRow::pixels("size_px", &studio::Camera::size_px, {1, 16384}, "of the picture; `--size` wins")
+            .by_default("the command's"),
+    }};
+
+const Section<LightAsked, SceneFacts> light_keys{
+    "light",
+    {
+        LightRow::by_code("environment", ValueType::text,
+                          "what is all around and lights the things: a name of those installed with Blender's data (`city`, "
+                          "`forest` …), or a lat-long picture, EXR, HDR or PNG, whose relative name starts at the scene file's "
+                          "folder")
+            .written("name or file name")
+            .by_default("a plain sky"),
+        LightRow::angle("environment_turn_deg", in(&LightAsked::light, &studio::Light::environment_turn), {-360.0, 360.0},
+                        "how far it is turned about the upright, counter-clockwise from above"),
+        LightRow::number("environment_gain", in(&LightAsked::light, &studio::Light::environment_gain), {0.0, 1000.0},
+                         "how bright it is, a factor"),
+        LightRow::angle("sun_azimuth_deg", in(&LightAsked::sun, &studio::Sun::azimuth), {-360.0, 360.0},
+                        "where the sun stands, from +y clockwise as on a compass")
+            .beside("sun_elevation_deg", "sun_elevation_deg beside it")
+            .by_default("no sun"),
+        LightRow::angle("sun_elevation_deg", in(&LightAsked::sun, &studio::Sun::elevation), {-90.0, 90.0}, "how high")
+            .beside("sun_azimuth_deg", "sun_azimuth_deg beside it")
+            .by_default("no sun"),
+        LightRow::number("sun_gain", in(&LightAsked::sun, &studio::Sun::gain), {0.0, 1000.0},
+                         "1: as bright as noon beside an environment of gain 1")
+            .idle([](const SceneFacts& f) { return !f.table.place_of_given("light.sun_elevation_deg"); }, "without a sun"),
+        LightRow::number("exposure_ev", in(&LightAsked::light, &studio::Light::exposure_ev), {-20.0, 20.0},
+                         "pictures are brighter by 2 to this power"),
     }};
 
 const Section<PlanAsked, SceneFacts> plan_keys{

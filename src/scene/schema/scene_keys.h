@@ -22,6 +22,14 @@ std::vector<std::string_view> settings();
 
 extern const Section<Scene, SceneFacts> root_keys;
 extern const Section<Still, SceneFacts> still_keys;
+// [light] as it stands in the file.
+struct LightAsked {
+  studio::Light light;
+  studio::Sun sun;
+};
+
+extern const Section<studio::Camera, SceneFacts> camera_keys;
+extern const Section<LightAsked, SceneFacts> light_keys;
 extern const Section<PlanAsked, SceneFacts> plan_keys;
 
 }  // namespace shatterpave::scene

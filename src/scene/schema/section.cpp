@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "core/embedded.h"
 #include "scene/input_file.h"
 #include "scene/plans/outline.h"
 #include "scene/schema/ranges.h"
@@ -55,19 +54,6 @@ std::string name_of(const TomlTable& table) {
     refuse(table.place("name"), "1 to 64 letters, digits, '_' and '-', the first a letter", in_quotes(*name));
   }
   return *name;
-}
-
-void Names::add(std::string name, const std::string& owner, const Place& place) {
-  for (char& c : name) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    if (c == '-') c = '_';
-  }
-  // Include files are named after things; those of materials lie beside them.
-  for (const std::string& file : {name + ".inc", name + ".pov"}) {
-    if (is_embedded(file)) refuse(place, "a name that no file of materials has", in_quotes(file));
-  }
-  const auto [at, is_new] = owners_.emplace(std::move(name), owner);
-  if (!is_new) refuse(place, "a name of its own", fmt::format("that of {}", at->second));
 }
 
 std::vector<geometry::Region> outlines_of(const TomlTable& table, Plans& plans, std::optional<vec2> default_size_mm) {

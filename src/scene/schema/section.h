@@ -1,7 +1,6 @@
 // What [[pane]] and [[pavement]] have in common: a name and an outline.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,17 +13,6 @@ namespace shatterpave::scene {
 
 // `name`: 1 to 64 of letters, digits, '_' and '-', the first a letter.
 std::string name_of(const TomlTable& table);
-
-// The names of a scene are unique, even where '-' and '_' are taken for the same, and capital and small letters, since they
-// become names of files and of identifiers.
-class Names {
- public:
-  // `owner` says whose it is, for a message about another one of that name.
-  void add(std::string name, const std::string& owner, const Place& place);
-
- private:
-  std::map<std::string, std::string> owners_;
-};
 
 // The regions, one or more, that `size_mm`, or `outline_mm` with `holes_mm`, or `outline_file` gives. `default_size_mm` is a
 // rectangle for where none of them is given.

@@ -12,6 +12,7 @@ namespace {
 
 using paving::Detail;
 using paving::Ground;
+using paving::HandLaying;
 using paving::Kerb;
 using paving::Pavement;
 using paving::Relief;
@@ -53,6 +54,29 @@ VariationRow in_joints(const VariationRow& row) {
 }
 
 }  // namespace
+
+// A preset sets all of these.
+const Section<Pavement, PavementFacts> hand_keys{
+    "pavement[].hand",
+    {
+        StoneRow::number("rounded", in(&Pavement::hand, &HandLaying::rounded), {0.0, 0.3},
+                         "how much is cut off at each corner, as a part of the shorter side beside it; each within ± 50 %")
+            .by_default("a tenth of `laid_by_hand`")
+            .idle(none_laid, beside_none_laid),
+        StoneRow::number("nibbled", in(&Pavement::hand, &HandLaying::nibbled), {0.0, 1.0},
+                         "part of the corners that have lost more, on one side")
+            .by_default("a quarter of `laid_by_hand`")
+            .idle(none_laid, beside_none_laid),
+        StoneRow::number("sunk", in(&Pavement::hand, &HandLaying::sunk), {0.0, 1.0},
+                         "part of the stones that have sunk into a hollow of their own; JSON tells how deep")
+            .by_default("0.015 of `laid_by_hand`")
+            .idle(none_laid, beside_none_laid),
+        StoneRow::number("sunk_mm", in(&Pavement::hand, &HandLaying::sunk_mm), {0.0, 1000.0},
+                         "how deep these lie at the most; from the height of the face on, the filling shows")
+            .by_default("one and a half times `surface.height_mm`")
+            .idle(none_laid, beside_none_laid)
+            .idle([](const PavementFacts& f) { return f.pavement.hand.sunk == 0.0; }, "beside sunk = 0"),
+    }};
 
 // A finish comes before the keys that win over it.
 const Section<Pavement, PavementFacts> surface_keys{

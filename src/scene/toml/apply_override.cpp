@@ -18,8 +18,6 @@ namespace shatterpave::scene {
 
 namespace {
 
-using Step = std::variant<std::string, std::size_t>;  // a key or a name; an index
-
 constexpr std::size_t most_steps = 32;  // no key of a scene has more than 6
 
 [[noreturn]] void refuse_key(const Override& change) {
@@ -31,9 +29,10 @@ bool is_key_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
 
-// The steps of `a.b[0].c`.
-std::vector<Step> steps_of(const Override& change) {
-  std::vector<Step> steps;
+}  // namespace
+
+std::vector<KeyStep> key_steps(const Override& change) {
+  std::vector<KeyStep> steps;
   const std::string& key = change.key;
   std::size_t at = 0;
   while (at < key.size() || steps.empty()) {
@@ -55,7 +54,6 @@ std::vector<Step> steps_of(const Override& change) {
   return steps;
 }
 
-// A table `{value = …}` of the value, with the override as its source.
 toml::table parsed_value(const Override& change) {
   try {
     toml::table table = toml::parse("value = " + change.value, change.origin);
@@ -68,6 +66,8 @@ toml::table parsed_value(const Override& change) {
   **table.get_as<std::string>("value") = change.value;
   return table;
 }
+
+namespace {
 
 // The names of the tables of an array.
 std::vector<std::string> names_in(const toml::array& array) {
@@ -97,8 +97,9 @@ std::vector<std::string> names_in(const toml::array& array) {
   refuse(place, expected, in_quotes(got) + (meant.empty() ? std::string() : fmt::format("; did you mean {}.{}?", path, meant)));
 }
 
-// The element of an array that a step names: by its index, or by the `name` of a table.
-toml::node& element_of(toml::array& array, const Step& step, const Override& change, const std::string& path) {
+}  // namespace
+
+toml::node& element_of(toml::array& array, const KeyStep& step, const Override& change, const std::string& path) {
   if (const auto* index = std::get_if<std::size_t>(&step)) {
     if (*index >= array.size()) refuse_element(change, array, path, fmt::format("{}[{}]", path, *index));
     return array[*index];
@@ -111,8 +112,7 @@ toml::node& element_of(toml::array& array, const Step& step, const Override& cha
   refuse_element(change, array, path, name);
 }
 
-// The steps so far, as they were written.
-std::string path_of(const std::vector<Step>& steps, std::size_t count) {
+std::string path_of(const std::vector<KeyStep>& steps, std::size_t count) {
   std::string path;
   for (std::size_t i = 0; i < count; ++i) {
     if (const auto* index = std::get_if<std::size_t>(&steps[i])) {
@@ -124,8 +124,10 @@ std::string path_of(const std::vector<Step>& steps, std::size_t count) {
   return path;
 }
 
+namespace {
+
 // `path` leads to `node`.
-toml::node& next_node(toml::node& node, const Step& step, const Override& change, const std::string& path) {
+toml::node& next_node(toml::node& node, const KeyStep& step, const Override& change, const std::string& path) {
   if (toml::array* array = node.as_array()) return element_of(*array, step, change, path);
   toml::table* table = node.as_table();
   const auto* key = std::get_if<std::string>(&step);
@@ -141,7 +143,7 @@ toml::node& next_node(toml::node& node, const Step& step, const Override& change
 }
 
 // Where all steps but the last lead.
-toml::node& parent_node(toml::table& scene, const std::vector<Step>& steps, const Override& change) {
+toml::node& parent_node(toml::table& scene, const std::vector<KeyStep>& steps, const Override& change) {
   toml::node* parent = &scene;
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) parent = &next_node(*parent, steps[i], change, path_of(steps, i));
   return *parent;
@@ -155,7 +157,7 @@ toml::table parsed_literal(std::string_view literal, const Override& change) {
 }  // namespace
 
 void apply(const Override& change, toml::table& scene) {
-  const std::vector<Step> steps = steps_of(change);
+  const std::vector<KeyStep> steps = key_steps(change);
   toml::node* const parent = &parent_node(scene, steps, change);
   const std::string path = path_of(steps, steps.size() - 1);
   toml::table value = parsed_value(change);
@@ -174,7 +176,7 @@ void apply(const Override& change, toml::table& scene) {
 }
 
 std::string append_table(const Override& change, toml::table& scene) {
-  const std::vector<Step> steps = steps_of(change);
+  const std::vector<KeyStep> steps = key_steps(change);
   toml::node& parent = parent_node(scene, steps, change);
   toml::table* const table = parent.as_table();
   const auto* const key = std::get_if<std::string>(&steps.back());

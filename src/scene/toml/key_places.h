@@ -17,11 +17,11 @@ class KeyPlaces {
   KeyPlaces() = default;
   explicit KeyPlaces(const TomlTable& table);
 
-  // Of a member such as `textures.tile_mm` or `impact[1].at_mm`; "" is the thing itself. Where the file does not give it, the
-  // place of the table that it would stand in.
+  // The place of a member such as `textures.tile_mm` or `impact[1].at_mm`, or for "" of the thing itself. If the file does not
+  // give the member: the place of the table that it would stand in.
   Place place(std::string_view member) const;
 
-  // Where a value stands is no part of what it says.
+  // All are equal, since the place of a value is not part of the value.
   bool operator==(const KeyPlaces& /*other*/) const { return true; }
 
  private:

@@ -14,15 +14,31 @@ namespace {
 // Points of one file, all lists together: 1 million is 20 MB of TOML.
 constexpr std::size_t most_points = 1'000'000;
 
-vec2 point_of(const toml::node& node, const Range& range, const std::string& file, const std::string& path) {
-  const toml::array* pair = node.as_array();
-  if (pair == nullptr || pair->size() != 2) refuse(place_of(node, file, path), "a point [x, y]", description(node));
-  vec2 point{0.0, 0.0};
-  for (std::size_t i = 0; i < 2; ++i) {
+// `form` is what messages call it: "a point [x, y]".
+template <typename Point>
+Point point_of(const toml::node& node, std::string_view form, const Range& range, const std::string& file,
+               const std::string& path) {
+  const toml::array* list = node.as_array();
+  Point point{};
+  if (list == nullptr || list->size() != static_cast<std::size_t>(point.length())) {
+    refuse(place_of(node, file, path), form, description(node));
+  }
+  for (std::size_t i = 0; i < list->size(); ++i) {
     const std::string key = fmt::format("{}[{}]", path, i);
-    point[i] = number_of((*pair)[i], range, place_of((*pair)[i], file, key));
+    point[i] = number_of((*list)[i], range, place_of((*list)[i], file, key));
   }
   return point;
+}
+
+vec2 point_of(const toml::node& node, const Range& range, const std::string& file, const std::string& path) {
+  return point_of<vec2>(node, "a point [x, y]", range, file, path);
+}
+
+// As a double, a number that is whole but is written 3.0 is none.
+std::int64_t whole_number_of(const toml::node& node, const WholeRange& range, const Place& place) {
+  const std::optional<std::int64_t> value = node.value_exact<std::int64_t>();
+  if (!value || *value < range.low || *value > range.high) refuse(place, description(range), description(node));
+  return *value;
 }
 
 std::vector<vec2> points_of(const toml::node& node, const Range& range, const std::string& file, const std::string& path) {
@@ -129,9 +145,7 @@ std::optional<double> TomlTable::number(std::string_view key, const Range& range
 std::optional<std::int64_t> TomlTable::whole_number(std::string_view key, const WholeRange& range) const {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  const std::optional<std::int64_t> value = node->value_exact<std::int64_t>();
-  if (!value || *value < range.low || *value > range.high) refuse(place(key), description(range), description(*node));
-  return value;
+  return whole_number_of(*node, range, place(key));
 }
 
 std::optional<bool> TomlTable::flag(std::string_view key) const {
@@ -178,6 +192,25 @@ std::optional<vec2> TomlTable::point(std::string_view key, const Range& range) c
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   return point_of(*node, range, file_, path_of(key));
+}
+
+std::optional<vec3> TomlTable::place_in_space(std::string_view key, const Range& range) const {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  return point_of<vec3>(*node, "a place [x, y, z]", range, file_, path_of(key));
+}
+
+std::optional<std::array<int, 2>> TomlTable::pixels(std::string_view key, const WholeRange& range) const {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* pair = node->as_array();
+  if (pair == nullptr || pair->size() != 2) refuse(place(key), "a size [width, height]", description(*node));
+  std::array<int, 2> size{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string path = fmt::format("{}[{}]", path_of(key), i);
+    size.at(i) = static_cast<int>(whole_number_of((*pair)[i], range, place_of((*pair)[i], file_, path)));
+  }
+  return size;
 }
 
 std::optional<PlacedPoints> TomlTable::points(std::string_view key, const Range& range) const {

@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -66,11 +67,11 @@ class TomlTable {
   const std::string& file() const { return file_; }
   const std::string& path() const { return path_; }
   const toml::table& node() const { return table_; }
-  // Of the value of `key`; where there is none, of the table.
+  // The place of the value of `key`; without one, that of the table.
   Place place(std::string_view key) const;
-  // Of the value at a path of keys, `surface.inset` or `impact[1]`; nothing where there is none.
+  // The place of the value at a path of keys, `surface.inset` or `impact[1]`; nothing if there is none.
   std::optional<Place> place_of_given(std::string_view path) const;
-  // Of the table.
+  // The place of the table.
   Place place() const { return place_of(table_, file_, path_); }
 
   // Each returns nothing where the key is missing, and throws InputError where its value is not as it should be.
@@ -81,6 +82,9 @@ class TomlTable {
   // A whole number from 0 or a text, or a list of them; empty where the key is missing.
   std::vector<std::variant<std::size_t, std::string>> indices_or_texts(std::string_view key) const;
   std::optional<vec2> point(std::string_view key, const Range& range) const;
+  std::optional<vec3> place_in_space(std::string_view key, const Range& range) const;
+  // [width, height].
+  std::optional<std::array<int, 2>> pixels(std::string_view key, const WholeRange& range) const;
   std::optional<PlacedPoints> points(std::string_view key, const Range& range) const;
   // A list of lists of points.
   std::vector<PlacedPoints> point_lists(std::string_view key, const Range& range) const;

@@ -43,14 +43,39 @@ TEST(GeometryJson, GoldenText) {
  "pavements":[
   {"name":"path","outline_mm":[[0,0],[400,0],[400,200],[0,200]],"holes_mm":[[[10,10],[10,20],[20,20]]],
   "stones":[
-   {"id":0,"kind":"whole","outline_mm":[[4,4],[104,4],[104,104]],"angle_deg":30},
-   {"id":1,"kind":"cut","outline_mm":[[112,4],[150.5,4],[112,104]],"angle_deg":0}]}]}
+   {"id":0,"part":"field","kind":"whole","outline_mm":[[4,4],[104,4],[104,104]],"angle_deg":30},
+   {"id":1,"part":"field","kind":"cut","outline_mm":[[112,4],[150.5,4],[112,104]],"angle_deg":0}]}]}
 )");
 }
 
 TEST(GeometryJson, NothingIsEmptyListsNotMissingKeys) {
   EXPECT_EQ(json_file({"none", "", "", 1, {}, {}}).content,
             "{\"format\":\"shatterpave-geometry\",\"version\":1,\"seed\":1,\n \"panes\":[],\n \"pavements\":[]}\n");
+}
+
+TEST(GeometryJson, CameraLightAndPlacesStandWhereTheSceneHasThem) {
+  Model model = tiny_model();
+  model.panes[0].network = {};
+  model.pavements.clear();
+  model.panes[0].pane.placement = {{1.0, -2.5, 0.0}, Angle::degrees(90.0)};
+  model.camera = studio::Camera{};
+  model.camera->focus_mm = 3000.0;
+  model.camera->f_number = 4.0;
+  model.camera->size_px = {1920, 1080};
+  model.light = studio::Light{};
+  model.light->environment = "/home/somebody/skies/sky.hdr";
+  model.light->sun = studio::Sun{Angle::degrees(220.0), Angle::degrees(20.0), 1.5};
+  model.light->exposure_ev = -1.0;
+  EXPECT_EQ(json_file(model).content,
+            R"({"format":"shatterpave-geometry","version":1,"seed":7,
+ "camera":{"at_mm":[0,-3000,1600],"look_at_mm":[0,0,0],"field_of_view_deg":40,"focus_mm":3000,"f_number":4,"size_px":[1920,1080]},
+ "light":{"environment":"sky.hdr","environment_turn_deg":0,"environment_gain":1,"sun_azimuth_deg":220,"sun_elevation_deg":20,"sun_gain":1.5,"exposure_ev":-1},
+ "panes":[
+  {"name":"window","outline_mm":[[0,0],[300,0],[300,300],[0,300]],"thickness_mm":2,"place_mm":[1,-2.5,0],"place_turn_deg":90,
+  "impacts":[],
+  "cracks":[]}],
+ "pavements":[]}
+)");
 }
 
 TEST(DrawingSvg, OneDrawingEachInMillimetresWithYDown) {
@@ -65,7 +90,7 @@ TEST(DrawingSvg, OneDrawingEachInMillimetresWithYDown) {
       files[0].content.find("<polyline class=\"crack large\" id=\"crack-0\" points=\"150,-150 151,-150.125 300,-150.001\"/>"),
       std::string::npos);
   EXPECT_NE(files[1].content.find("d=\"M0,0 400,0 400,-200 0,-200ZM10,-10 10,-20 20,-20Z\""), std::string::npos);
-  EXPECT_NE(files[1].content.find("<polygon class=\"stone cut\" id=\"stone-1\" points=\"112,-4 150.5,-4 112,-104\"/>"),
+  EXPECT_NE(files[1].content.find("<polygon class=\"stone field cut\" id=\"stone-1\" points=\"112,-4 150.5,-4 112,-104\"/>"),
             std::string::npos);
 }
 

@@ -258,8 +258,8 @@ TEST_F(RenderStones, RendersEveryMaterialFinishAndFillingWithoutAWarning) {
   for (const Material material :
        {Material::setts, Material::granite, Material::basalt, Material::sandstone, Material::limestone, Material::brick}) {
     PavedArea paved = hand_laid(4, 4);
-    paved.pavement.look = {material, number % 2 == 0 ? paving::JointFill::sand : paving::JointFill::mortar, 0.1 * number,
-                           0.2 * number};
+    paved.pavement.look = {
+        material, number % 2 == 0 ? paving::JointFill::sand : paving::JointFill::mortar, 0.1 * number, 0.2 * number, {}};
     const paving::FinishPreset& preset = paving::finish_presets.at(static_cast<std::size_t>(number % 4));
     paved.pavement.body = preset.body;
     paved.pavement.body.wear_mm = number % 3;

@@ -60,6 +60,27 @@ TEST(TextureMaps, NormalsAreTheSlopesOfTheHeightMapWithGreenUp) {
   EXPECT_GT(angle_to_height_map(drawn, -1.0F), 0.1);  // the twin: DirectX
 }
 
+TEST(TextureMaps, MapsOnRequestAreMadeOfTheOthers) {
+  const Drawn drawn = small_yard();
+  const std::vector<float> up = drawn.values(Map::normal);
+  const std::vector<float> down = drawn.values(Map::normal_directx);
+  const std::vector<float> packed = drawn.values(Map::occlusion_roughness_metal);
+  const std::vector<float> occlusion = drawn.values(Map::ambient_occlusion);
+  const std::vector<float> roughness = drawn.values(Map::roughness);
+  ASSERT_EQ(packed.size(), 3 * occlusion.size());
+  float lowest = 1.0F;
+  for (std::size_t i = 0; i < occlusion.size(); ++i) {
+    EXPECT_EQ(down[3 * i], up[3 * i]);
+    EXPECT_NEAR(down[3 * i + 1] + up[3 * i + 1], 1.0F, 1e-6F);
+    EXPECT_EQ(down[3 * i + 2], up[3 * i + 2]);
+    EXPECT_EQ(packed[3 * i], occlusion[i]);
+    EXPECT_EQ(packed[3 * i + 1], roughness[i]);
+    EXPECT_EQ(packed[3 * i + 2], 0.0F);
+    lowest = std::min(lowest, down[3 * i + 1]);
+  }
+  EXPECT_LT(lowest, 0.4F);
+}
+
 TEST(TextureMaps, StoneIdsAreColoursOfTheirOwnAndBlackIsTheJoint) {
   std::map<std::uint32_t, int> seen;
   for (std::uint32_t id = 0; id < 100'000; ++id) ++seen[id_colour(id)];
@@ -213,7 +234,7 @@ TEST(TextureMaps, ColoursAreThoseOfTheMaterial) {
       {paving::Material::basalt, 0.05, 0.13, 0.8, 1.15},     {paving::Material::sandstone, 0.20, 0.36, 1.4, 2.2},
       {paving::Material::limestone, 0.30, 0.50, 1.20, 1.39}, {paving::Material::brick, 0.08, 0.20, 2.2, 5.0}};
   for (const Expected& drawn : all) {
-    const Mean mean = mean_colour({drawn.material, {}, {}, 0.0}, true);
+    const Mean mean = mean_colour({drawn.material, {}, {}, 0.0, {}}, true);
     for (const Expected& expected : all) {
       EXPECT_EQ(expected.holds(mean), expected.material == drawn.material)
           << static_cast<int>(drawn.material) << " as " << static_cast<int>(expected.material) << ": " << mean.light() << ' '
@@ -224,7 +245,7 @@ TEST(TextureMaps, ColoursAreThoseOfTheMaterial) {
 
 TEST(TextureMaps, MossIsGreenMortarPaleAndWetIsDark) {
   const auto joints = [](std::optional<paving::JointFill> fill, std::optional<double> moss, double wetness) {
-    return mean_colour({paving::Material::setts, fill, moss, wetness}, false);
+    return mean_colour({paving::Material::setts, fill, moss, wetness, {}}, false);
   };
   const Mean sand = joints(paving::JointFill::sand, 0.0, 0.0);
   const Mean mossy = joints(paving::JointFill::sand, 0.9, 0.0);
@@ -233,7 +254,9 @@ TEST(TextureMaps, MossIsGreenMortarPaleAndWetIsDark) {
   EXPECT_GT(joints(paving::JointFill::mortar, {}, 0.0).light(), 1.8 * sand.light());
   EXPECT_LT(joints(paving::JointFill::sand, 0.0, 0.5).light(), 0.6 * sand.light());
   EXPECT_NEAR(joints({}, {}, 0.0).light(), sand.light(), 1e-9);
-  const auto stones = [](double wetness) { return mean_colour({paving::Material::granite, {}, {}, wetness}, true).light(); };
+  const auto stones = [](double wetness) {
+    return mean_colour({paving::Material::granite, {}, {}, wetness, {}}, true).light();
+  };
   EXPECT_LT(stones(0.5), 0.6 * stones(0.0));
   EXPECT_LT(stones(0.2), 0.9 * stones(0.0));
 }

@@ -170,6 +170,33 @@ TEST(Dice, SplintersRadiateNearTheImpactAndBreakUpBeyond) {
   EXPECT_LT(measure::radiality(broken(thick, 1), 15.0, 50.0) + 0.2, measure::radiality(broken(pane, 1), 15.0, 50.0));
 }
 
+// Cracks that cross a circle about the impact, on the mean of 24 panes.
+double lines_at(const Pane& pane, double radius_mm) {
+  double lines = 0.0;
+  constexpr int seeds = 24;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    for (const Crack& crack : broken(pane, seed).cracks) {
+      for (std::size_t i = 1; i < crack.points_mm.size(); ++i) {
+        const bool in = glm::length(crack.points_mm[i - 1] - pane.impacts[0].at_mm) < radius_mm;
+        if (in != (glm::length(crack.points_mm[i] - pane.impacts[0].at_mm) < radius_mm)) lines += 1.0 / seeds;
+      }
+    }
+  }
+  return lines;
+}
+
+// In photographs of panes of 3 mm: 1.75 mm apart from 5 to 40 mm from the impact.
+TEST(Dice, CracksBranchSoThatTheyStayAsFarApart) {
+  const Pane pane = tempered_pane({300.0, 300.0}, 3.0);
+  for (const auto& [radius, lines] :
+       {std::pair(5.0, 17.0), std::pair(10.0, 39.0), std::pair(20.0, 71.0), std::pair(40.0, 137.0)}) {
+    EXPECT_NEAR(lines_at(pane, radius), lines, 0.15 * lines) << radius;
+  }
+  Pane wide = pane;
+  std::get<Tempered>(wide.glass).splinter_ratio = 3.5;
+  EXPECT_LT(lines_at(wide, 20.0), 0.85 * 71.0);
+}
+
 TEST(Dice, ShapeFoldsBackWhatItUnfolds) {
   const Pane pane = panel();
   const DiceShape shape(pane, std::get<Tempered>(pane.glass), {50.0, 75.0}, 200.0);

@@ -103,6 +103,18 @@ TEST(CrackSurfacesRandom, DoNotMeetInOddPanes) {
   EXPECT_GE(with_joints, 12);
 }
 
+// Cracks that pass each other's tips and end on each other; one that runs close by a corner of the outline; and one that ends
+// on another where that one bends just before its own end.
+TEST(CrackSurfacesRandom, DoNotMeetWhereCracksHookOrEndAtBends) {
+  for (const std::uint64_t seed : {20ULL, 126ULL, 232ULL}) {
+    Pane pane = random_pane(seed, {3, 20});
+    pane.crack_body = CrackBody::sheet;
+    const CrackSurfaces cracks = crack_surfaces(pane, broken(pane, seed), seed);
+    EXPECT_EQ(support::meeting_pairs(triangles_of(cracks)), 0U) << seed;
+    EXPECT_FALSE(cracks.surfaces.empty());
+  }
+}
+
 // The oracle finds what it looks for: a crack that is moved aside meets its neighbours; and it misses no pair of boxes.
 TEST(CrackSurfacesTwin, AMovedCrackMeetsOthers) {
   const Pane pane = pane_with(24);

@@ -21,6 +21,7 @@ ImpactCounts counts_of(int m, Rounding rounding) {
   impact.radial_count = m;
   Growth growth;
   growth.large_rounding = rounding;
+  growth.large_deviation = 0.0;  // eq. 6 alone
   return drawn_counts(impact, growth, 1, Id("impact"));
 }
 

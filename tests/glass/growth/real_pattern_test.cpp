@@ -87,12 +87,14 @@ double share_in_line(const Pane& pane) {
   return static_cast<double>(in_line) / all;
 }
 
-TEST(RealPattern, PiecesAreStaggeredFromSectorToSector) {
+TEST(RealPattern, PiecesAreStaggeredAtAboutHalfOfTheRadials) {
   Pane pane = real_pane();
   pane.rings.first_radius_mm = 20.0;
-  EXPECT_LT(share_in_line(pane), 0.1);
+  pane.rings.interruption = 0.0;
+  EXPECT_LT(share_in_line(pane), 0.6);
+  EXPECT_GT(share_in_line(pane), 0.4);
   pane.rings.spread = 0.0;
-  EXPECT_GT(share_in_line(pane), 0.1);
+  EXPECT_GT(share_in_line(pane), 0.8);
 }
 
 TEST(RealPattern, PiecesLieAboutTheirRings) {
@@ -103,7 +105,7 @@ TEST(RealPattern, PiecesLieAboutTheirRings) {
       if (!is_ring(crack)) continue;
       const double r = glm::length(crack.points_mm.front() - vec2{200.0, 200.0});
       double nearest = 1e9;
-      double ring = rings.first_radius_mm;
+      double ring = *rings.first_radius_mm;
       for (int k = 0; k < rings.count; ++k, ring *= rings.ratio) {
         nearest = std::min(nearest, std::abs(r / ring - 1.0) / (rings.ratio - 1.0));
       }
@@ -113,6 +115,7 @@ TEST(RealPattern, PiecesLieAboutTheirRings) {
   };
   Pane pane = real_pane();
   pane.rings.spread = 0.1;
+  pane.rings.first_radius_mm = 12.0;
   EXPECT_LT(farthest_off(pane, pane.rings), 0.2);  // the spread, and what wide sectors are set back
   Rings wrong = pane.rings;
   wrong.ratio = 1.3;
@@ -137,7 +140,7 @@ TEST(RealPattern, RingsLeaveOutTheirShareOfSectors) {
   };
   const double some = pieces(real_pane(), 0.35);
   EXPECT_TRUE(likely(some, 0.65));
-  EXPECT_FALSE(likely(some, 0.6));
+  EXPECT_FALSE(likely(some, 0.55));
 }
 
 // The angles between branches and what they left, after where they part.
@@ -254,7 +257,9 @@ TEST(RadialOnset, MakesLengthsOfRadialsVary) {
     for (const double length : lengths) square += (length - mean) * (length - mean) / static_cast<double>(lengths.size());
     return std::sqrt(square) / mean;
   };
+  // Of the paper's pattern: in real panes radials die where they are told to.
   Pane pane = real_pane();
+  pane.pattern = Pattern::agui1992;
   const double at_once = variation(pane);
   pane.growth.radial_onset = 8.0;
   EXPECT_GT(variation(pane), 1.5 * at_once);
@@ -313,7 +318,9 @@ TEST(Laminated, FewCracksRunThrough) {
   const auto through = [](const Pane& pane) {
     std::vector<double> counts(2, 0.0);
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-      for (const Crack& crack : broken(pane, seed).cracks) ++counts[crack.through ? 0 : 1];
+      for (const Crack& crack : broken(pane, seed).cracks) {
+        if (crack.kind != CrackKind::chip) ++counts[crack.through ? 0 : 1];
+      }
     }
     return counts;
   };

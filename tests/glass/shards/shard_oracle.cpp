@@ -26,7 +26,7 @@ constexpr double narrow_mm = 0.008;
 // Cosine of 30° from level.
 constexpr double chip_slope = 0.87;
 
-struct Side {
+struct OutlineSide {
   vec2 a{0.0, 0.0};
   vec2 b{0.0, 0.0};
   bool is_old = false;
@@ -49,8 +49,8 @@ bool on_outline(const Pane& pane, vec2 a, vec2 b) {
   return true;
 }
 
-std::vector<Side> sides_of(const Pane& pane, const Shard& shard) {
-  std::vector<Side> sides;
+std::vector<OutlineSide> sides_of(const Pane& pane, const Shard& shard) {
+  std::vector<OutlineSide> sides;
   const auto add = [&](const geometry::Polygon& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const vec2 b = ring[(i + 1) % ring.size()];
@@ -89,22 +89,22 @@ Facet facet_of(const Shard& shard, const SolidTriangle& triangle) {
     facet.plan[i] = {geometry::to_mm(facet.corners[i].x), geometry::to_mm(facet.corners[i].y)};
   }
   const auto [a, b, c] = facet.corners;
-  __extension__ using Wide = __int128;
-  const auto minor = [](Wide p, Wide q, Wide r, Wide s) { return static_cast<double>(p * s - q * r); };
+  __extension__ using Product = __int128;
+  const auto minor = [](Product p, Product q, Product r, Product s) { return static_cast<double>(p * s - q * r); };
   facet.across = {minor(b.y - a.y, b.z - a.z, c.y - a.y, c.z - a.z), minor(b.z - a.z, b.x - a.x, c.z - a.z, c.x - a.x),
                   minor(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y)};
   return facet;
 }
 
 // Where sides of one kind only are near: whether they are the old ones. 0: of both kinds; 1: broken; 2: old.
-int nearest_kind(const std::vector<Side>& sides, const Facet& facet) {
+int nearest_kind(const std::vector<OutlineSide>& sides, const Facet& facet) {
   double old_mm = 1e300;
   double broken_mm = 1e300;
   int kind = -1;
   for (std::size_t k = 0; k < 3; ++k) {
     const vec2 p = (4.0 * facet.plan[k] + facet.plan[(k + 1) % 3] + facet.plan[(k + 2) % 3]) / 6.0;
     old_mm = broken_mm = 1e300;
-    for (const Side& side : sides) {
+    for (const OutlineSide& side : sides) {
       double& least = side.is_old ? old_mm : broken_mm;
       least = std::min(least, geometry::distance_to_segment(p, side.a, side.b));
     }
@@ -212,7 +212,7 @@ class Inspection {
 
   const Pane& pane_;
   const Shard& shard_;
-  std::vector<Side> sides_;
+  std::vector<OutlineSide> sides_;
   ShardFindings found_;
 };
 

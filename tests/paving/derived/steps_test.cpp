@@ -19,10 +19,11 @@
 namespace shatterpave::paving {
 namespace {
 
-Pavement flight_of_steps(geometry::Region area, Direction direction) {
+Pavement flight_of_steps(geometry::Region area, Direction direction, const Flight& flight) {
   Pavement result = pavement(std::move(area), 300.0, 5.0, std::move(direction));
   result.bonding.bond = Bond::running;
   result.stone_mm = {700.0, 300.0};
+  result.flight = flight;
   return result;
 }
 
@@ -39,10 +40,10 @@ double level_mm(const Pavement& step) { return step.ground.level_mm + face_mm(st
 TEST(Steps, TileTheAreaAndRiseByOneRiserEach) {
   const Flight flight{150.0, 350.0};
   for (const Finish finish : {Finish::none, Finish::split, Finish::flat_sawn}) {
-    Pavement whole = flight_of_steps(flight_area, straight(0));
+    Pavement whole = flight_of_steps(flight_area, straight(0), flight);
     if (finish != Finish::none) whole.body = preset_of(finish).body;
     whole.ground.level_mm = 40.0;
-    const std::vector<Pavement> parts = steps(whole, flight);
+    const std::vector<Pavement> parts = steps(whole);
     ASSERT_EQ(parts.size(), 8U);
     EXPECT_NEAR(total(parts), geometry::area(flight_area), 1.0);
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -60,7 +61,7 @@ TEST(Steps, TileTheAreaAndRiseByOneRiserEach) {
 }
 
 TEST(Steps, AreOneRowOfBlocksEachWithJointsThatDoNotMeet) {
-  const std::vector<Pavement> parts = steps(flight_of_steps(flight_area, straight(0)), {150.0, 350.0});
+  const std::vector<Pavement> parts = steps(flight_of_steps(flight_area, straight(0), {150.0, 350.0}));
   std::vector<double> joints_before;
   for (const Pavement& step : parts) {
     const StoneLayout layout = laid_stones(step, 7);
@@ -81,8 +82,8 @@ TEST(Steps, AreOneRowOfBlocksEachWithJointsThatDoNotMeet) {
 }
 
 TEST(Steps, GoDownWhereTheRiserIsNegative) {
-  const Pavement whole = flight_of_steps(flight_area, straight(0));
-  const std::vector<Pavement> parts = steps(whole, {-150.0, 350.0});
+  const Pavement whole = flight_of_steps(flight_area, straight(0), {-150.0, 350.0});
+  const std::vector<Pavement> parts = steps(whole);
   ASSERT_EQ(parts.size(), 8U);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     EXPECT_NEAR(level_mm(parts[k]), level_mm(whole) - 150.0 * static_cast<double>(k + 1), 1e-9);
@@ -97,7 +98,7 @@ TEST(Steps, GoDownWhereTheRiserIsNegative) {
 TEST(Steps, EndWithANarrowerOne) {
   const auto depths = [](double tread_mm) {
     std::vector<double> result;
-    for (const Pavement& step : steps(flight_of_steps(flight_area, straight(0)), {150.0, tread_mm})) {
+    for (const Pavement& step : steps(flight_of_steps(flight_area, straight(0), {150.0, tread_mm}))) {
       const geometry::Box box = geometry::bounding_box(step.area.outline);
       result.push_back(box.high.y - box.low.y);
     }
@@ -117,7 +118,7 @@ TEST(Steps, FollowTheDirection) {
   guides.guides_mm = {{{0, -300}, {1500, 0}, {3000, -300}}};
   for (const Direction& direction :
        {straight(17), Direction(RadialDirection{{1500, -900}}), Direction(guides), Direction(BoundaryDirection{})}) {
-    const std::vector<Pavement> parts = steps(flight_of_steps(flight_area, direction), {140.0, 350.0});
+    const std::vector<Pavement> parts = steps(flight_of_steps(flight_area, direction, {140.0, 350.0}));
     EXPECT_NEAR(total(parts), geometry::area(flight_area), 100.0);
     double stones = 0.0;
     for (const Pavement& step : parts) {
@@ -139,10 +140,10 @@ TEST(Steps, AreNeverBare) {
        {straight(0), Direction(RadialDirection{{1500, 1500}}), Direction(across), Direction(BoundaryDirection{})}) {
     for (const double tread_mm : {350.0, 2200.0, 100'000.0}) {
       for (const double length_mm : {600.0, 50'000.0}) {
-        Pavement whole = flight_of_steps(square, direction);
+        Pavement whole = flight_of_steps(square, direction, {150.0, tread_mm});
         whole.stone_mm.x = length_mm;
         double stones = 0.0;
-        for (const Pavement& step : steps(whole, {150.0, tread_mm})) {
+        for (const Pavement& step : steps(whole)) {
           const StoneLayout layout = laid_stones(step, 7);
           EXPECT_EQ(faults(step, layout).total(), 0U);
           if (geometry::area(step.area) > 2500.0) {
@@ -157,7 +158,7 @@ TEST(Steps, AreNeverBare) {
 }
 
 TEST(Steps, InCirclesBeginAtTheNearestPoint) {
-  const std::vector<Pavement> parts = steps(flight_of_steps(flight_area, RadialDirection{{1500, -900}}), {140.0, 350.0});
+  const std::vector<Pavement> parts = steps(flight_of_steps(flight_area, RadialDirection{{1500, -900}}, {140.0, 350.0}));
   for (std::size_t k = 0; k < 3; ++k) {
     for (const vec2& p : parts[k].area.outline) {
       const double away = glm::length(p - vec2{1500, -900}) - 900.0;
@@ -168,7 +169,7 @@ TEST(Steps, InCirclesBeginAtTheNearestPoint) {
 }
 
 TEST(Steps, OfAPodiumAreRings) {
-  const std::vector<Pavement> parts = steps(flight_of_steps(flight_area, BoundaryDirection{}), {140.0, 350.0});
+  const std::vector<Pavement> parts = steps(flight_of_steps(flight_area, BoundaryDirection{}, {140.0, 350.0}));
   ASSERT_EQ(parts.size(), 4U);
   for (std::size_t k = 0; k < 4; ++k) {
     const double in = 350.0 * static_cast<double>(k);
@@ -181,10 +182,10 @@ TEST(Steps, OfAPodiumAreRings) {
 
 // The blocks' sides are seen: they are steep, reach the bed, and meet the arris without a gap, chips or not.
 TEST(Steps, BlocksHaveSteepSides) {
-  Pavement whole = flight_of_steps(flight_area, straight(0));
+  Pavement whole = flight_of_steps(flight_area, straight(0), {150.0, 350.0});
   whole.body = preset_of(Finish::split).body;
   whole.body.chips_per_m = 6.0;
-  const Pavement step = steps(whole, {150.0, 350.0}).front();
+  const Pavement step = steps(whole).front();
   for (const Stone& stone : laid_stones(step, 7).stones) {
     const StoneDraws draws = stone_draws(step, 7, stone.id);
     ASSERT_TRUE(draws.body);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "paving/paved_areas.h"
 
 namespace shatterpave::paving {
@@ -28,6 +29,25 @@ TEST(DirectionField, ConstantAndRadialAreExact) {
   EXPECT_NEAR(radial.angle({100 + 300, 200 + 300}).degrees(), -45.0, 1e-12);
   // The centre has no direction, but a value.
   EXPECT_EQ(glm::dot(radial.axis({100, 200}), radial.axis({100, 200})), 1.0);
+}
+
+// A singular place in the middle, as between the poles of a magnet; the field goes round it once.
+TEST(DirectionField, AGridIsFollowedRoundASingularPlace) {
+  GridDirection grid{{-1000.0, -1000.0}, 500.0, 5, {}};
+  for (int row = 0; row < 5; ++row) {
+    for (int column = 0; column < 5; ++column) grid.vectors.push_back({-(row - 2.0), column - 2.0});
+  }
+  const Pavement paved = pavement({{{-900, -900}, {900, -900}, {900, 900}, {-900, 900}}, {}}, 100, 8, grid);
+  const auto field = field_of(paved);
+  for (const vec2 place : {vec2{1000, 0}, vec2{0, 500}, vec2{-500, -500}, vec2{2000, 0}}) {
+    EXPECT_LT(off_by(field.axis(place), Angle::of(left_of(place))), 1e-6);
+  }
+  EXPECT_NEAR(glm::length(field.axis({0, 0})), 1.0, 1e-12);
+  // Between the vectors; the twin that takes the nearest one is off by 18° or more.
+  EXPECT_LT(off_by(field.axis({750, 250}), Angle::of(left_of({750, 250}))), 6.0);
+  Pavement broken = paved;
+  std::get<GridDirection>(broken.direction).vectors.assign(25, vec2{0.0, 0.0});
+  EXPECT_THROW(field_of(broken), InputError);
 }
 
 TEST(DirectionField, BoundaryRowsFollowTheNearestSide) {

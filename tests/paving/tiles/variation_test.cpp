@@ -32,7 +32,7 @@ TEST(Variation, NeverLetsStonesTouchOrLeaveTheArea) {
   const StoneLayout layout = laid_stones(paved, 3);
   paved.joint_mm = 12.0;
   paved.variation.offset_mm = 30.0;
-  const StoneLayout loose = varied(layout, paved, side_bulge(paved), 3);
+  const StoneLayout loose = varied(layout, {}, paved, side_bulge(paved), 3);
   paved.joint_mm = 2.0;
   EXPECT_GT(faults(paved, loose).overlaps, 100U);
 }
@@ -67,7 +67,7 @@ TEST(Variation, NeverLetsStonesTouchWhereRowsBend) {
       paved.stone_mm = stone_mm;
       const StoneLayout layout = laid_stones(paved, 3);
       paved.variation = {0.3, Angle::degrees(20), 30.0, 0.0, 0.0, {}};
-      EXPECT_EQ(faults(paved, varied(layout, paved, side_bulge(paved), 3)).total(), 0U);
+      EXPECT_EQ(faults(paved, varied(layout, {}, paved, side_bulge(paved), 3)).total(), 0U);
       // Each of two neighbours may move by 0.3 of the joint. By half of it, as where rows are straight, would be too much.
       EXPECT_GE(narrowest_joint(layout), 0.6 * paved.joint_mm);
       EXPECT_LT(narrowest_joint(layout), 0.9 * paved.joint_mm);
@@ -80,7 +80,7 @@ TEST(Variation, EachKindMovesStonesAsAsked) {
   const auto changed = [&](const Variation& variation) {
     Pavement paved = plain(20.0);
     paved.variation = variation;
-    return varied(layout, paved, side_bulge(paved), 3);
+    return varied(layout, {}, paved, side_bulge(paved), 3);
   };
   const StoneLayout sized = changed({0.04, {}, 0.0, 0.0, 0.0, {}});
   const StoneLayout turned = changed({0.0, Angle::degrees(3), 0.0, 0.0, 0.0, {}});

@@ -153,7 +153,7 @@ TEST_F(PlanFiles, SeveralAreasBecomeSeveralPavements) {
   const auto twins = pavements("outline_file = \"plan.svg\"\noutline_feature = \"twins\"\n");
   ASSERT_EQ(twins.size(), 2U);
   EXPECT_EQ(twins[0].name, "p");
-  EXPECT_EQ(twins[1].name, "p_2");
+  EXPECT_EQ(twins[1].name, "p");
   EXPECT_EQ(twins[1].area.outline[0], vec2(7000, 8000));
   const auto bow = pavements("outline_file = \"plan.svg\"\noutline_feature = \"bow\"\n");
   ASSERT_EQ(bow.size(), 2U);

@@ -1,4 +1,4 @@
-// GeoJSON as it is about: reference systems, longitudes, features that are broken, files of lines, names.
+// GeoJSON as it is found in practice: reference systems, longitudes, features that are broken, files of lines, names.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -250,7 +250,7 @@ Wkt wkt_of(const std::string& code) {
   return wkt;
 }
 
-// Every so-manieth code of the dataset is what another program says of it.
+// For every n-th code of the dataset the answer is what another program says of it.
 TEST(ReferenceSystem, AgreesWithProjinfo) {
   const std::map<std::string, std::size_t> steps = {{"geographic_2d", 40}, {"geographic_3d", 25}, {"projected", 90},
                                                     {"compound", 40},      {"vertical", 40},      {"geocentric", 30}};

@@ -1,4 +1,4 @@
-// SVG as drawing programs show it, by values that follow from the drawing; svg_rendering_test.cpp has a rasteriser for a judge.
+// SVG as drawing programs show it, by values that follow from the drawing; svg_rendering_test.cpp compares with a rasteriser.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "geometry/clip.h"
+#include "geometry/region_index.h"
+#include "measure/hand_figures.h"
+#include "paving/bonds/bond.h"
+#include "paving/bonds/table.h"
+#include "paving/catalogue/hand_presets.h"
+#include "paving/laying.h"
+#include "paving/layout_quality.h"
+#include "paving/paved_areas.h"
+#include "paving/tiles/hand_setting.h"
+#include "paving/tiles/hand_stones.h"
+#include "scene/plans/plan_areas.h"
+#include "support/shared_data.h"
+
+namespace shatterpave::paving {
+namespace {
+
+Pavement by_hand(const BondType& type, double amount, const Direction& direction) {
+  Pavement paved = pavement(concave_area(), 100, 8, direction);
+  const ShapeLimits shapes = type.shapes;
+  if (shapes.least >= 1.0) paved.stone_mm = {200, 100};
+  paved.bonding.bond = type.id;
+  paved.hand.amount = amount;
+  return paved;
+}
+
+TEST(HandLaying, NeverLetsStonesTouchOrLeaveTheArea) {
+  std::uint64_t seed = 1;
+  for (const BondType* type : bond_types()) {
+    if (!type->is_for_scenes) continue;
+    for (const Direction& direction :
+         {straight(20), Direction(BoundaryDirection{}), Direction(RadialDirection{{-500, -800}, 0.0})}) {
+      Pavement paved = by_hand(*type, 1.0, direction);
+      if (seed % 2 == 0) paved.border.course = BorderCourse::soldier;
+      const StoneLayout layout = laid_stones(paved, ++seed);
+      EXPECT_EQ(faults(paved, layout).total(), 0U) << std::string_view(type->name) << " " << seed;
+    }
+  }
+}
+
+// The same tiles without a joint of their own: what moves there meets.
+TEST(HandLaying, TwinWithoutRoomOverlaps) {
+  Pavement paved = by_hand(type_of(Bond::running), 1.0, straight(20));
+  const StoneLayout layout = laid_stones(by_hand(type_of(Bond::running), 0.0, straight(20)), 1);
+  const double half = 0.5 * paved.joint_mm;
+  const auto moved = [&](double room_mm) {
+    StoneLayout result = layout;
+    for (Stone& stone : result.stones) {
+      stone.outline_mm = hand_face(stone.outline_mm, paved, room_mm, 1, Id("a").child(static_cast<std::uint64_t>(stone.id)));
+    }
+    return faults(paved, result);
+  };
+  EXPECT_EQ(moved(half - 0.01).total(), 0U);
+  paved.joint_mm = 4.0 * paved.joint_mm;
+  EXPECT_GT(moved(4.0 * half).overlaps, 100U);
+}
+
+// What photographs of old paving measure; and the twin of today's exactness, which all of them reject.
+TEST(HandLaying, WornAlleyIsAsPhotographsAre) {
+  for (const Bond bond : {Bond::packed, Bond::running, Bond::stack, Bond::herringbone, Bond::segmental_arc, Bond::fan}) {
+    Pavement paved = by_hand(type_of(bond), 0.0, straight(20));
+    const measure::HandFigures exact = measure::hand_figures(paved, laid_stones(paved, 3));
+    paved.hand = hand_presets.back().hand;
+    const measure::HandFigures worn = measure::hand_figures(paved, laid_stones(paved, 3));
+    EXPECT_GT(worn.joint_ln_spread, 0.4);
+    EXPECT_LT(worn.joint_ln_spread, 0.65);
+    EXPECT_NEAR(worn.joint_median_percent, 100.0, 15.0);
+    EXPECT_GT(worn.side_spread_percent, 12.0);
+    EXPECT_LT(worn.side_spread_percent, 22.0);
+    EXPECT_GT(worn.aspect_p90, 1.3);
+    EXPECT_LT(worn.aspect_p90, 1.6);
+    EXPECT_GT(worn.narrowest_mm, 0.02 * paved.joint_mm);
+    EXPECT_LT(exact.joint_ln_spread, 0.1);
+    EXPECT_LT(exact.side_spread_percent, 11.0);
+    EXPECT_LT(exact.aspect_p90, 1.3);
+  }
+}
+
+TEST(HandLaying, GoesFromNothingToAll) {
+  double last = -1.0;
+  for (const double amount : {0.0, 0.25, 0.5, 1.0}) {
+    const Pavement paved = by_hand(type_of(Bond::running), amount, straight(0));
+    const double spread = measure::hand_figures(paved, laid_stones(paved, 5)).joint_ln_spread;
+    EXPECT_GT(spread, last);
+    last = spread + 0.05;
+  }
+  Pavement paved = by_hand(type_of(Bond::running), 0.0, straight(0));
+  const StoneLayout exact = laid_stones(paved, 5);
+  paved.hand.rounded = 0.2;  // means nothing without an amount
+  EXPECT_EQ(laid_stones(paved, 5), exact);
+}
+
+// Tiles cover what they covered: their areas add up to the same, and none lies over another.
+TEST(HandLaying, TilesStillTile) {
+  for (const Bond bond : {Bond::running, Bond::herringbone, Bond::hexagon, Bond::segmental_arc, Bond::fan, Bond::chevron}) {
+    const Pavement paved = by_hand(type_of(bond), 1.0, straight(20));
+    const geometry::RegionIndex area(paved.area);
+    const std::vector<Tile> tiles = bond_tiles(paved, area, 1);
+    const std::vector<Tile> moved = hand_set(tiles, 1.0, 1, Id("p"));
+    ASSERT_EQ(moved.size(), tiles.size());
+    double before = 0.0;
+    double after = 0.0;
+    std::size_t differ = 0;
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+      before += geometry::area(tiles[t].outline_mm);
+      after += geometry::area(moved[t].outline_mm);
+      if (std::abs(geometry::area(moved[t].outline_mm) / geometry::area(tiles[t].outline_mm) - 1.0) > 0.02) ++differ;
+    }
+    EXPECT_NEAR(after / before, 1.0, 2e-5);  // sides that bend by less than 3 µm are straight
+    EXPECT_GT(differ, tiles.size() / 2);
+  }
+}
+
+TEST(HandLaying, HollowsAreTold) {
+  Pavement paved = by_hand(type_of(Bond::running), 0.5, straight(0));
+  paved.hand.sunk = 0.1;
+  paved.hand.sunk_mm = 20.0;
+  paved.variation.missing = 0.05;
+  const StoneLayout layout = laid_stones(paved, 5);
+  const auto laid = static_cast<double>(layout.stones.size() + layout.missing.size());
+  EXPECT_NEAR(static_cast<double>(layout.missing.size()) / laid, 0.05, 0.02);
+  const auto sunk = std::ranges::count_if(layout.stones, [](const Stone& stone) { return stone.sunk_mm > 0.0; });
+  EXPECT_NEAR(static_cast<double>(sunk) / laid, 0.1, 0.03);
+  for (const Stone& stone : layout.stones) EXPECT_LE(stone.sunk_mm, 20.0);
+}
+
+// All plazas that the project is tried on.
+TEST(HandLaying, PlazasAreExact) {
+  SKIP_WITHOUT_SHARED_DATA();
+  for (const char* name : {"karl-marx-platz-berlin", "tabard-piazza-london", "footway-london"}) {
+    const auto file = support::shared_data() / "plazas" / (std::string(name) + ".geojson");
+    const geometry::Region area = scene::areas_of_file(file).front();
+    for (const Direction& direction : {straight(30), Direction(BoundaryDirection{})}) {
+      Pavement paved = pavement(area, 300, 12, direction);
+      paved.hand = hand_presets.back().hand;
+      paved.border.course = BorderCourse::stretcher;
+      EXPECT_EQ(faults(paved, laid_stones(paved, 7)).total(), 0U) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shatterpave::paving

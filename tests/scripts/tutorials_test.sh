@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# What the tutorials show runs as it stands there: a block after "Save as `FILE`:" is that file, every other block is typed.
+#   tutorials_test.sh BUILD [TUTORIAL.md …]   the build folder; the tutorials, else all
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+build=$(cd -- "$1" && pwd)
+shift
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+export PATH=$build:$PATH
+
+(($# > 0)) || set -- "$root"/docs/tutorials/*.md
+for tutorial in "$@"; do
+  name=$(basename "$tutorial" .md)
+  mkdir "$scratch/$name"
+  start=$SECONDS
+  python3 - "$tutorial" >"$scratch/$name.sh" <<'PYTHON'
+import re, shlex, sys
+print("set -euo pipefail")
+# A block may be two: a file ends at a line that a shell would be given.
+blocks = re.finditer(r"(?m)^(?P<before>(?! ).*)\n\n?(?P<block>(?:    .*\n|\n(?=    ))+)", open(sys.argv[1], encoding="utf-8").read())
+for found in blocks:
+    text = "\n".join(line[4:] for line in found["block"].split("\n")).strip("\n") + "\n"
+    file = re.search(r"ave as `([^`]+)`:$", found["before"])
+    if file:
+        end = re.search(r"(?m)^(shatterpave|blender) ", text)
+        content, text = (text[:end.start()], text[end.start():]) if end else (text, "")
+        print(f"mkdir -p $(dirname {shlex.quote(file[1])})\ncat >{shlex.quote(file[1])} <<'END OF FILE'\n{content}END OF FILE")
+    # Each block is typed in the folder where the first one was.
+    if text:
+        print(f"(\n{text})")
+PYTHON
+  grep -q shatterpave "$scratch/$name.sh" || { echo "$name: no commands"; exit 1; }
+  if ! (cd "$scratch/$name" && bash "$scratch/$name.sh") >"$scratch/$name.log" 2>&1; then
+    cat "$scratch/$name.log"
+    echo "$name: what the tutorial shows fails"
+    exit 1
+  fi
+  # What it says that one finds.
+  # shellcheck disable=SC2016  # Backquotes of the page.
+  while read -r file; do
+    [[ -s $scratch/$name/$file ]] || { echo "$name: $file is not there"; exit 1; }
+  done < <(grep -o '`[a-z]*/[A-Za-z_.-]*\.[a-z]*`' "$tutorial" | tr -d '`')
+  echo "$name: $((SECONDS - start)) s"
+done

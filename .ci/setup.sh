@@ -62,7 +62,7 @@ build_release() {
   local target=$1
   shift
   local first=()
-  [[ -f $root/build/CMakeCache.txt ]] || first=(-DCMAKE_BUILD_TYPE=Release -DSHATTERPAVE_TESTS=OFF)
+  [[ -f $root/build/CMakeCache.txt ]] || first=(-DCMAKE_BUILD_TYPE=Release -DSHATTERPAVE_TESTS=OFF -DSHATTERPAVE_PRECOMPILE=ON -DSHATTERPAVE_TEST_UNITS=12)
   quietly cmake -S "$root" -B "$root/build" "${first[@]}" "$@" &&
     quietly cmake --build "$root/build" --target "$target" --parallel "$(nproc)"
 }

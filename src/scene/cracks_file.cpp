@@ -138,7 +138,7 @@ FilePane pane_of(const Node& node) {
   return pane;
 }
 
-json parsed(const std::string& text, const std::string& file) {
+json parsed_json(const std::string& text, const std::string& file) {
   const auto limit_depth = [&](int depth, json::parse_event_t, json&) {
     if (depth <= deepest_nesting) return true;
     throw InputError(Place{file, 0, 0, ""}, fmt::format("expected at most {} levels of nesting, got more", deepest_nesting));
@@ -154,7 +154,7 @@ json parsed(const std::string& text, const std::string& file) {
 }
 
 std::vector<FilePane> panes_of_geometry(const std::string& text, const std::string& file) {
-  const json document = parsed(text, file);
+  const json document = parsed_json(text, file);
   const Node root(document, file, "");
   if (!document.is_object() || root["format"].text() != "shatterpave-geometry") {
     throw InputError(Place{file, 0, 0, "format"}, "expected \"shatterpave-geometry\", got another file");

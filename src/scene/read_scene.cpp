@@ -47,7 +47,7 @@ void limit_dotted_keys(std::string_view text, const std::string& file) {
   }
 }
 
-toml::table parsed(std::string_view text, const std::string& file) {
+toml::table parsed_toml(std::string_view text, const std::string& file) {
   require_utf8(text, file);
   limit_dotted_keys(text, file);
   try {
@@ -220,7 +220,7 @@ Draft& Draft::operator=(Draft&& other) noexcept = default;
 std::string Draft::name() const { return scene_name(file_); }
 
 std::unique_ptr<Draft::Table> Draft::made() const {
-  auto table = std::make_unique<Table>(Table{parsed(text_, file_.string())});
+  auto table = std::make_unique<Table>(Table{parsed_toml(text_, file_.string())});
   for (const Change& change : changes_) {
     if (change.appends) {
       append_table(change.given, table->root);

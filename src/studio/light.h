@@ -28,6 +28,7 @@ struct Sun {
 struct Light {
   std::string environment;        // a name of those installed, or the file that the scene names; empty: a plain sky
   Angle environment_turn;         // about the upright, counter-clockwise from above
+  Angle environment_blur;         // it is seen out of focus: diameter of the disc that a point becomes, 0 … 60°
   double environment_gain = 1.0;  // >= 0
   std::optional<Sun> sun;
   double exposure_ev = 0.0;  // the picture is brighter by 2 to this power

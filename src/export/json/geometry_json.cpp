@@ -166,6 +166,10 @@ void put_light(Buffer& out, const studio::Light& light) {
   }
   put(out, "\"environment_turn_deg\":");
   put_degrees(out, light.environment_turn);
+  if (light.environment_blur > Angle()) {
+    put(out, ",\"environment_blur_deg\":");
+    put_degrees(out, light.environment_blur);
+  }
   fmt::format_to(std::back_inserter(out), ",\"environment_gain\":{}", light.environment_gain);
   if (light.sun) {
     put(out, ",\"sun_azimuth_deg\":");

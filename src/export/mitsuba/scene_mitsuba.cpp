@@ -15,7 +15,7 @@
 #include "export/mitsuba/view.h"
 #include "export/mitsuba/xml.h"
 #include "export/shapes/open_slab.h"
-#include "relief/panorama.h"
+#include "export/swatches/environment.h"
 #include "relief/raster.h"
 
 namespace shatterpave::exporting::mitsuba {
@@ -37,10 +37,8 @@ bool has_own_picture(const Model& model) { return model.light && !model.light->e
 
 shapes::Stage stage_for(const Model& model) {
   shapes::Stage stage = shapes::stage_of(model);
-  if (!has_own_picture(model)) return stage;
-  const std::string ending = stage.environment.name.substr(stage.environment.name.rfind('.') + 1);
-  const relief::Raster panorama = relief::panorama(stage.environment.content, ending);
-  stage.environment = {shared_stem_of(model) + "-environment.exr", relief::encoded(panorama, relief::RasterFormat::exr_half)};
+  if (!has_own_picture(model) || stage.light.environment_blur > Angle()) return stage;
+  stage.environment_name = shared_stem_of(model) + "-environment.exr";
   return stage;
 }
 
@@ -58,7 +56,7 @@ class Writer {
   }
 
   std::vector<OutputFile> files() {
-    shapes::Stage stage = stage_for(model_);
+    const shapes::Stage stage = stage_for(model_);
     Xml xml;
     xml.comment(
         "Metres, y up. mitsuba -m scalar_rgb SCENE.xml; -Dspp=256, -Dwidth=1920 and -Dheight=1080 set what stands here first.");
@@ -73,7 +71,10 @@ class Writer {
     write_lights(xml, stage, extent_mm());
     looks_.write(model_.name, model_.seed, xml, files_);
     xml.append(shapes_);
-    if (has_own_picture(model_)) files_.push_back(std::move(stage.environment));
+    if (has_own_picture(model_)) {
+      files_.push_back(
+          {stage.environment_name, relief::encoded(swatches::seen_environment(stage), relief::RasterFormat::exr_half)});
+    }
     xml.close();
     std::vector<OutputFile> files;
     files.push_back({model_.name + ".xml", "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + xml.text()});
@@ -232,7 +233,7 @@ std::vector<OutputFile> mitsuba_files(const Model& model) { return Writer(model)
 
 void append(const Model& model, Outputs& outputs) {
   std::ranges::move(mitsuba_files(model), std::back_inserter(outputs.files));
-  if (!has_own_picture(model)) shapes::append_environment(shapes::stage_of(model), outputs);
+  if (!has_own_picture(model)) swatches::append_environment(shapes::stage_of(model), outputs);
 }
 
 }  // namespace shatterpave::exporting::mitsuba

@@ -93,7 +93,7 @@ void write_camera(Xml& xml, const shapes::Stage& stage) {
 void write_lights(Xml& xml, const shapes::Stage& stage, double extent_mm) {
   const double factor = studio::exposure_factor(stage.light);
   xml.open("emitter", {{"type", "envmap"}, {"id", "environment"}});
-  xml.value("string", "filename", stage.environment.name);
+  xml.value("string", "filename", stage.environment_name);
   xml.value("float", "scale", number(factor * stage.light.environment_gain));
   xml.open("transform", {{"name", "to_world"}});
   // Mitsuba has the middle of the picture at +z, which is away from where ours lies.

@@ -7,7 +7,8 @@
 #include "export/povray/environment_lights.h"
 #include "export/povray/sdl.h"
 #include "export/shapes/stage.h"
-#include "relief/panorama.h"
+#include "export/swatches/environment.h"
+#include "relief/out_of_focus.h"
 #include "relief/raster.h"
 #include "studio/camera.h"
 #include "studio/light.h"
@@ -113,8 +114,8 @@ constexpr std::string_view light_pattern = R"(
 )";
 
 // The name of a file that POV-Ray can be told by.
-std::string picture_name(const std::string& scene) {
-  std::string name = scene + "_sky.exr";
+std::string picture_name(const std::string& scene, Angle blur) {
+  std::string name = blur > Angle() ? fmt::format("{}_sky_blur{:.9g}.exr", scene, blur.degrees()) : scene + "_sky.exr";
   for (char& c : name) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
     if (!plain) c = '_';
@@ -137,16 +138,16 @@ StillStage still_stage(const Model& model, bool always) {
   const studio::Light& light = stage.light;
   const double exposure = studio::exposure_factor(light);
   const double factor = light.environment_gain * exposure;
-  const std::string ending = stage.environment.name.substr(stage.environment.name.rfind('.') + 1);
-  const relief::Raster panorama = relief::panorama(stage.environment.content, ending);
-  const std::string picture = picture_name(shared_stem_of(model));
+  const relief::Raster panorama = swatches::sharp_environment(stage);
+  const std::string picture = picture_name(shared_stem_of(model), light.environment_blur);
   still.declarations += fmt::format(
       fmt::runtime(light_pattern), fmt::arg("picture", picture), fmt::arg("turn", number(light.environment_turn.degrees())),
       fmt::arg("factor", factor), fmt::arg("far", number(far_mm)),
       fmt::arg("lights", factor > 0.0 ? lights_text(panorama, cuts, factor) : std::string()),
       fmt::arg("draft_lights", factor > 0.0 ? lights_text(panorama, draft_cuts, factor) : std::string()),
       fmt::arg("sun", light.sun && light.sun->gain > 0.0 ? sun_text(*light.sun, exposure) : std::string()));
-  still.files.push_back({picture, relief::encoded(panorama, relief::RasterFormat::exr_half)});
+  still.files.push_back(
+      {picture, relief::encoded(relief::out_of_focus(panorama, light.environment_blur), relief::RasterFormat::exr_half)});
   return still;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "geometry/polygon.h"
@@ -139,17 +140,16 @@ Stage stage_of(const Model& model) {
   stage.camera = model.camera ? *model.camera : camera_onto(model);
   stage.light = model.light ? *model.light : plain_light(stage.camera);
   if (model.environment) {
-    stage.environment = {fmt::format("{}_environment.{}", shared_stem_of(model), model.environment->ending),
-                         *model.environment->content};
+    stage.environment = *model.environment;
   } else {
-    stage.environment = {fmt::format("{}_environment.hdr", shared_stem_of(model)), studio::plain_sky_hdr()};
+    stage.environment = {"hdr", std::make_shared<const std::string>(studio::plain_sky_hdr())};
+    stage.light.environment_blur = Angle();
   }
+  // Frames that share files may differ in how far they are out of focus.
+  const double blur = stage.light.environment_blur.degrees();
+  stage.environment_name = blur > 0.0 ? fmt::format("{}_environment_blur{:.9g}.exr", shared_stem_of(model), blur)
+                                      : fmt::format("{}_environment.{}", shared_stem_of(model), stage.environment.ending);
   return stage;
-}
-
-void append_environment(const Stage& stage, Outputs& outputs) {
-  if (std::ranges::find(outputs.files, stage.environment.name, &OutputFile::name) != outputs.files.end()) return;
-  outputs.files.push_back(stage.environment);
 }
 
 Placing placing_of(const studio::View& view, vec3 at_mm) { return placing(view.right, view.up, view.forward, at_mm); }

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "export/shapes/stage.h"
+#include "export/swatches/environment.h"
 #include "export/swatches/swatches.h"
 #include "export/usd/element_text.h"
 #include "export/usd/material_text.h"
@@ -166,7 +167,7 @@ std::vector<OutputFile> usd_files(const Model& model) { return Writer(model).fil
 
 void append(const Model& model, Outputs& outputs) {
   std::ranges::move(usd_files(model), std::back_inserter(outputs.files));
-  shapes::append_environment(shapes::stage_of(model), outputs);
+  swatches::append_environment(shapes::stage_of(model), outputs);
 }
 
 }  // namespace shatterpave::exporting::usd

@@ -43,7 +43,7 @@ void put_environment(PrimText& text, const shapes::Stage& stage) {
   text.begin("def DomeLight", "environment");
   put_exposure(text, stage.light);
   text.line("float inputs:intensity = {}", stage.light.environment_gain);
-  text.line("asset inputs:texture:file = {}", asset(stage.environment.name));
+  text.line("asset inputs:texture:file = {}", asset(stage.environment_name));
   text.line("token inputs:texture:format = \"latlong\"");
   put_placing(text, placing);
   text.end();

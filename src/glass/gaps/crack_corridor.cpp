@@ -116,6 +116,9 @@ Corridors::Corridors(const Pane& pane, const CrackNetwork& network, const std::v
     own_zones_.push_back(from_impact ? network.cracks[static_cast<std::size_t>(path.crack)].impact : -1);
     path.points_mm = thinned(path.points_mm);
     if (from_impact) path.points_mm = outside(path.points_mm, zones_[static_cast<std::size_t>(own_zones_[i])]);
+    // The border of a flake hugs the crack that it leaves and comes back to: it has no room there, and would take it from that
+    // one.
+    if (network.crack(path.crack).kind == CrackKind::chip) path.points_mm.clear();
     lengths_.push_back(length_of(path.points_mm));
     double along = 0.0;
     for (std::size_t k = 0; k + 1 < path.points_mm.size(); ++k) {

@@ -41,7 +41,7 @@ inline constexpr double crack_clearance_mm = 0.02;
 // Then two points P(u) + q across, |q| <= r(u), of two paths are farther apart than 2 crack_clearance_mm; unless one path ends
 // on the other, and the points lie within joint_mm and a step of its end, and within 2 joint_mm and a step of the joint on the
 // other. Near a joint the free width shrinks by the sine of its angle. The outline counts as a path, and a zone as one for all
-// cracks but those that start in it.
+// cracks but those that start in it. Chips, which hug the crack that they are beside, are left out.
 class Corridors {
  public:
   Corridors(const Pane& pane, const CrackNetwork& network, const std::vector<ImpactZone>& zones, const CorridorShape& shape);

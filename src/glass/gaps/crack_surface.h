@@ -50,7 +50,7 @@ struct CrackSurfaces {
 //   4. the same pane, network and seed give the same bits at any number of threads;
 //   5. where the pane has a time, gaps are those of all cracks as far as these have grown, with the zones and holes of the
 //      impacts that have come: what is there stays as it is, but for some thicknesses behind a tip.
-// A stretch along which other cracks are too near to leave room for a gap is left out.
+// A stretch along which other cracks are too near to leave room for a gap is left out, and so are chips.
 // REQUIRES: the network is that of the pane.
 CrackSurfaces crack_surfaces(const Pane& pane, const CrackNetwork& network, std::uint64_t seed);
 

@@ -17,11 +17,11 @@ namespace shatterpave::paving {
 namespace {
 
 // Rounding of both faces to the lattice, and of the cells that they are of, with some room.
-constexpr double hairline_mm = 0.01;
+constexpr double rounding_mm = 0.01;
 
 // How far a corner may move, where sides stray into the joint by `bulge` of it.
 double own_room_mm(const Pavement& pavement, double bulge) {
-  return std::max(0.0, (0.5 - bulge) * pavement.joint_mm - hairline_mm);
+  return std::max(0.0, (0.5 - bulge) * pavement.joint_mm - rounding_mm);
 }
 
 // Takes what it uses off `room_mm`.

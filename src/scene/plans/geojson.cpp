@@ -20,8 +20,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_shapes = 100'000;
-
 // Nothing if it is none. Numbers beyond the first two are heights and the like.
 std::optional<vec2> position_of(const json& position) {
   if (!position.is_array() || position.size() < 2 || !position[0].is_number() || !position[1].is_number()) return std::nullopt;

@@ -18,6 +18,9 @@
 
 namespace shatterpave::scene {
 
+// What a plan may hold at the most, so that no file eats the machine.
+inline constexpr std::size_t most_shapes = 100'000;
+
 // What one is in a plan's coordinates.
 struct PlanUnits {
   enum class Kind { angle, length };

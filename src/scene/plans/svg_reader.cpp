@@ -15,7 +15,6 @@ namespace shatterpave::scene {
 namespace {
 
 constexpr int deepest_groups = 100;
-constexpr std::size_t most_shapes = 100'000;
 // Elements that are visited: `use` of groups with `use` in them could be any number.
 constexpr std::size_t most_elements = 1'000'000;
 

@@ -100,12 +100,13 @@ TEST(Stage, WhatTheSceneSaysIsTaken) {
   const Stage stage = stage_of(model);
   EXPECT_EQ(stage.camera, *model.camera);
   EXPECT_EQ(stage.light, *model.light);
-  EXPECT_EQ(stage.environment.name, "stage_environment.png");
-  EXPECT_EQ(stage.environment.content, "bytes");
-  Outputs outputs;
-  append_environment(stage, outputs);
-  append_environment(stage, outputs);
-  EXPECT_EQ(outputs.files.size(), 1U);
+  EXPECT_EQ(stage.environment, *model.environment);
+  EXPECT_EQ(stage.environment_name, "stage_environment.png");
+  model.light->environment_blur = Angle::degrees(2.5);
+  EXPECT_EQ(stage_of(model).environment_name, "stage_environment_blur2.5.exr");
+  // A plain sky has nothing to be out of focus.
+  model.environment.reset();
+  EXPECT_EQ(stage_of(model).environment_name, "stage_environment.hdr");
 }
 
 TEST(Stage, PlacingsLookAlongTheView) {

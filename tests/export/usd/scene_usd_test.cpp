@@ -121,7 +121,7 @@ TEST(UsdStage, CameraIsInTenthsOfMetres) {
   shapes::Stage stage;
   stage.camera.at_mm = {0.0, -3000.0, 0.0};
   stage.camera.field_of_view = Angle::degrees(90.0);
-  stage.environment.name = "scene_environment.hdr";
+  stage.environment_name = "scene_environment.hdr";
   std::string text = text_of(stage);
   for (const char* line : {"float focalLength = 0.18\n", "float horizontalAperture = 0.36\n", "float verticalAperture = 0.27\n",
                            "float fStop = 0\n", "float focusDistance = 3\n", "quatf xformOp:orient = (1, 0, 0, 0)\n",
@@ -143,7 +143,7 @@ TEST(UsdStage, LightIsADomeAndASun) {
   shapes::Stage stage;
   stage.light.environment_gain = 2.0;
   stage.light.exposure_ev = -1.5;
-  stage.environment.name = "scene_environment.hdr";
+  stage.environment_name = "scene_environment.hdr";
   std::string text = text_of(stage);
   EXPECT_EQ(text.find("DistantLight"), std::string::npos);
   for (const char* line :

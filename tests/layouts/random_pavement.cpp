@@ -118,7 +118,7 @@ std::string border_text(const Draws& draws) {
   return text;
 }
 
-// A quarter is laid by hand: as a preset says, or by any amount, with corners as it says or by keys of their own.
+// A quarter is laid by hand: as a preset says, or by any amount, with corners as that says or by keys of their own.
 std::string hand_text(const Draws& draws) {
   if (draws.chance("by the line", 0.75)) return {};
   if (draws.chance("preset", 0.2)) {

@@ -93,8 +93,9 @@ class Scene {
   Scene& operator=(Scene&& other) noexcept;
   ~Scene();
 
-  /// Sets the value of a key, over the one that it had. Throws InputError where the path leads nowhere: tables on the way are
-  /// made, elements of lists are not (see add). Returns this scene.
+  /// Sets the value of a key, over the one that it had. Throws InputError where the path leads to no key that scenes
+  /// have, with the one that was probably meant. Tables on the way are made, elements of lists are not (see add). Returns this
+  /// scene.
   Scene& set(std::string_view key, const Value& value);
 
   /// Adds an empty table to a list of them, `pane` or `pane.window.impact`, which is made where it is missing. Returns the path

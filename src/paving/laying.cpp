@@ -107,6 +107,17 @@ Setting bonded_setting(std::vector<Tile> tiles, const Pavement& pavement, std::u
           [](const Piece& piece, const geometry::Polygon&) { return axis_angle(piece.axis); }};
 }
 
+// What stones are set out to fit. Those laid by hand move into their half of the joint on all sides after that, and must then
+// fit the stock.
+Stock set_out_stock(Stock stock, const Pavement& pavement) {
+  if (pavement.hand.amount == 0.0) return stock;
+  const vec2 joint{pavement.joint_mm, pavement.joint_mm};
+  stock.size_mm -= joint;
+  if (stock.turned_size_mm != vec2{0.0, 0.0}) stock.turned_size_mm -= joint;
+  stock.area_mm2 = stock.size_mm.x * stock.size_mm.y;
+  return stock;
+}
+
 double longer_side(vec2 stone_mm) { return std::max(stone_mm.x, stone_mm.y); }
 
 // What rounding takes off a stone whose sides lie on the border.
@@ -141,7 +152,8 @@ void append_stones(const Setting& setting, const geometry::Region& region, const
 // The square packing, zone by zone where rows are mitred.
 void append_packing(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, SetOut& set_out) {
   const DirectionField field(pavement, area);
-  const StoneSize size{whole_face_mm2(pavement), longer_side(pavement.stone_mm), pavement.joint_mm, stock(pavement), -1.0};
+  const StoneSize size{whole_face_mm2(pavement), longer_side(pavement.stone_mm), pavement.joint_mm,
+                       set_out_stock(stock(pavement), pavement), -1.0};
   if (field.zones().empty()) {
     append_stones(packed_setting(pavement, area, field, seed), pavement.area, area, size, StonePart::field, set_out);
     return;
@@ -163,8 +175,8 @@ void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, st
     return;
   }
   append_stones(bonded_setting(bond_tiles(pavement, area, seed), pavement, seed), pavement.area, area,
-                {whole_face_mm2(pavement), longer_side(pavement.stone_mm), pavement.joint_mm, stock(pavement),
-                 rounding_mm2(pavement.stone_mm)},
+                {whole_face_mm2(pavement), longer_side(pavement.stone_mm), pavement.joint_mm,
+                 set_out_stock(stock(pavement), pavement), rounding_mm2(pavement.stone_mm)},
                 StonePart::field, set_out);
 }
 
@@ -174,9 +186,11 @@ void append_bordered_bond(const Pavement& pavement, std::uint64_t seed, SetOut& 
   const Setting course = bonded_setting(border_tiles(pavement, parts.course), pavement, seed);
   const vec2 stone = border_stone_mm(pavement);
   for (const geometry::Region& region : parts.course) {
-    const StoneSize size{stone.x * stone.y, longer_side(stone), pavement.joint_mm,
-                         hand_stock({stone, stone.x * stone.y, {}, {1.0, 0.0}}, pavement.joint_mm, pavement.hand.amount),
-                         rounding_mm2(stone)};
+    const StoneSize size{
+        stone.x * stone.y, longer_side(stone), pavement.joint_mm,
+        set_out_stock(hand_stock({stone, stone.x * stone.y, {}, {1.0, 0.0}}, pavement.joint_mm, pavement.hand.amount),
+                      pavement),
+        rounding_mm2(stone)};
     append_stones(course, region, geometry::RegionIndex(region), size, StonePart::border, set_out);
   }
   Pavement within = pavement;

@@ -1,4 +1,5 @@
-// A scene that is being written: values as they were given. Only their paths and their syntax have been checked so far.
+// A scene that is being written: values as they were given. Only their syntax, and that scenes have such keys, has been checked
+// so far.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +27,7 @@ class Draft {
   // The name of the scene. Throws InputError if it cannot name files.
   std::string name() const;
 
-  // Each throws InputError where the key leads nowhere; the draft is then as it was.
+  // Each throws InputError where the key leads to none that scenes have; the draft is then as it was.
   void set(const Override& change);
   // Adds a table, the value of the change as an inline table of TOML, to the list of tables that is its key. Returns the path
   // of the new table: the key with the index after it.

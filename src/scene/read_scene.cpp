@@ -17,6 +17,7 @@
 #include "scene/input_file.h"
 #include "scene/schema/frame_keys.h"
 #include "scene/schema/idle_keys.h"
+#include "scene/schema/known_path.h"
 #include "scene/schema/pane_section.h"
 #include "scene/schema/pavement_section.h"
 #include "scene/schema/scene_keys.h"
@@ -232,6 +233,11 @@ std::unique_ptr<Draft::Table> Draft::made() const {
 }
 
 std::string Draft::apply(const Change& change) {
+  const Key* const key = require_known(change.given, table_->root);
+  if (change.appends && key != nullptr && key->type != ValueType::tables) {
+    refuse(Place{change.given.origin, 0, 0, ""}, "a list of tables, such as pane or pane[0].impact",
+           in_quotes(change.given.key));
+  }
   changes_.push_back(change);
   try {
     if (change.appends) return append_table(change.given, table_->root);

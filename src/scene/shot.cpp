@@ -9,6 +9,7 @@
 #include "core/cancel.h"
 #include "core/notes.h"
 #include "scene/input_file.h"
+#include "scene/schema/known_path.h"
 #include "scene/table_scene.h"
 #include "scene/toml/apply_override.h"
 
@@ -53,7 +54,9 @@ Shot::~Shot() = default;
 Scene Shot::at(int frame) {
   if (still_.frames) {
     for (const FrameKey& key : still_.frames->keys) {
-      apply({origin_of(key, frame), key.set, value_text(key, frame)}, table_->root);
+      const Override change{origin_of(key, frame), key.set, value_text(key, frame)};
+      require_known(change, table_->root);
+      apply(change, table_->root);
     }
   }
   Scene scene = scene_of_table(table_->root, draft_.file_, keeps_things_ ? &still_ : nullptr);

@@ -81,8 +81,7 @@ TEST(FaceScene, ValuesMayBeAnyThatSetTakes) {
 
 TEST(FaceScene, ErrorsTellTheCallOrTheLine) {
   Scene scene = small_pane();
-  scene.set("pane.window.thicknes_mm", 4);
-  const InputError unknown = refusal([&] { generate(scene); });
+  const InputError unknown = refusal([&] { scene.set("pane.window.thicknes_mm", 4); });
   EXPECT_EQ(unknown.place(), (Place{"set(\"pane.window.thicknes_mm\")", 0, 0, "pane[0].thicknes_mm"}));
   EXPECT_NE(unknown.message().find("thickness_mm"), std::string::npos) << unknown.message();
 

@@ -18,7 +18,8 @@ Faults, each exact in micrometres or with the tolerance that stands below:
               tenth of the stone's longer side and a joint; its measure is the diameter over the longer side. Where the bed is narrower
               than a joint no stone can lie, so discs of a tenth alone are told apart: how many layouts have a wider one, of joints
               up to a tenth of the longer side (at most 1 %), and of wider joints (at most 12 % of those), where
-              there are enough layouts to tell
+              there are enough layouts to tell. Of stones laid by hand, whose joints are wedges, discs may be wider by what two corners
+              that face each other may draw back and lose (hand_room)
    large      a stone fits no stone of its stock at any rotation, or has a larger area; its measure is how many times as large that would
               have to be each way
    measured   where lines hold what the scorer measured: its widest bare spot is another one; mm
@@ -47,6 +48,36 @@ def hexagon_face(pitch, joint):
     half, side = pitch[0] / 2, pitch[1] / math.sqrt(3)
     tile = Polygon([(0, -side), (half, -side / 2), (half, side / 2), (0, side), (-half, side / 2), (-half, -side / 2)])
     return tile.buffer(-joint / 2, join_style=2)
+
+
+# Of stones laid by hand (docs/scene-file.md, "Laid by hand"). A line moves by at most so much of the stones beside it, so that they are
+# so much larger; the end of a side lies at most four half joints from the middle of its joint, so it draws back by three; a corner
+# goes with the two sides that meet there, of a right angle by the square root of two as far, and not farther than an eighth of the
+# shorter side at it, or its half joint.
+MOST_ASIDE = 0.22
+MOST_BACK = 1.5 * math.sqrt(2.0)
+MOST_INWARDS = 0.12
+USUAL_ROUNDED, USUAL_NIBBLED, NIBBLE, MOST_CUT = 0.1, 0.25, 2.2, 0.45
+
+
+def hand_growth(layout):
+    return 1.0 + 2.0 * layout.get("by_hand", 0.0) * MOST_ASIDE
+
+
+def hand_room(layout):
+    """How much wider a bare disc may be than between stones laid by the line, mm."""
+    amount, joint = layout.get("by_hand", 0.0), layout["joint_mm"]
+    if amount == 0.0:
+        return 0.0
+    stones = [layout["stone_mm"]] + ([layout["border_stone_mm"]] if layout["border"] != "none" else [])
+    side = hand_growth(layout) * (max(min(s) for s in stones) + joint)
+    back = min(MOST_BACK * joint, max(MOST_INWARDS * side, joint / 2))
+    # A corner is cut off by at most `cut` along both of its sides, a nibbled one by more along one of them; the parabola in its place
+    # is a quarter of the diagonal away from it.
+    cut = 1.5 * layout.get("rounded", USUAL_ROUNDED * amount)
+    longer = NIBBLE * max(cut, 0.5 * USUAL_ROUNDED) if layout.get("nibbled", USUAL_NIBBLED * amount) > 0.0 else cut
+    shorter = max(cut, 0.4 * longer)
+    return 2.0 * (back + 0.25 * math.hypot(min(longer, MOST_CUT), min(shorter, MOST_CUT)) * side)
 
 
 class Stock:
@@ -86,6 +117,14 @@ def field_stock(layout):
     if bond in PLAIN:
         return Stock([(a, b)]), True
     sys.exit(f"judge_layouts.py: the stock of bond {bond} is not told")
+
+
+def hand_stock(stock, layout):
+    """What stones laid by hand are cut from, where others are cut from `stock`."""
+    if layout.get("by_hand", 0.0) == 0.0:
+        return stock
+    growth, joint = hand_growth(layout), layout["joint_mm"]
+    return Stock([(growth * (a + joint), growth * (b + joint)) for a, b in stock.rectangles])
 
 
 def extents(points, angles):
@@ -193,7 +232,9 @@ def faults_of_pairs(stones, rings):
 def sizes(area, stones, layout):
     """The largest excess of stones over their stock; and the largest of those that differ by design, over stone_mm."""
     stock, alike = field_stock(layout)
-    plain, border = Stock([layout["stone_mm"]]), Stock([layout["border_stone_mm"]])
+    alike = alike or layout.get("by_hand", 0.0) > 0.0  # how far those of bonds may differ is told of stones laid by the line
+    stock, plain = hand_stock(stock, layout), Stock([layout["stone_mm"]])
+    border = hand_stock(Stock([layout["border_stone_mm"]]), layout)
     worst, longest, heaviest, oversized = 0.0, 0.0, 0.0, 0
     for stone, given in zip(stones, layout["stones"]):
         bounded = given["part"] == "border"
@@ -248,9 +289,11 @@ def judged(layout):
     if not layout.get("missing"):
         diameter, notes["at_mm"] = bare_spot(area, stones, layout, BARE_SHARE * longer)
         joint = layout["joint_mm"] * UM
-        notes["joints"] = "narrow" if joint <= BARE_SHARE * longer else "wide"
-        notes["over_a_tenth"] = diameter > BARE_SHARE * longer
-        if diameter > BARE_SHARE * longer + joint:
+        room = hand_room(layout) * UM
+        if room == 0.0:
+            notes["joints"] = "narrow" if joint <= BARE_SHARE * longer else "wide"
+            notes["over_a_tenth"] = diameter > BARE_SHARE * longer
+        if diameter > BARE_SHARE * longer + joint + room:
             faults["bare"] = diameter / longer
     if "measured_bare_mm" in layout:
         diameter, _ = widest_disc(bare(area, stones, layout, 1.0), 16)
@@ -381,7 +424,9 @@ def spoilt(layout):
         changed = dict(layout, stones=list(stones))
         changed["stones"][index] = dict(stones[index], outline_um=outline)
         return changed
-    yield "bare", dict(layout, stones=stones[:k] + stones[k + 1:])
+    # Where a hand laid narrow stones with wide joints, a disc as wide as one of them may be bare.
+    if max(a, b) * BARE_SHARE + layout["joint_mm"] + hand_room(layout) < 0.9 * min(a, b) / hand_growth(layout):
+        yield "bare", dict(layout, stones=stones[:k] + stones[k + 1:])
     from shapely.ops import nearest_points
     p, q = nearest_points(shapes[k], shapes[n])
     gap = p.distance(q)

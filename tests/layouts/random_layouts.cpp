@@ -79,8 +79,11 @@ void put_pavement(std::string& out, const paving::Pavement& pavement) {
                  std::string_view(paving::type_of(pavement).name), name_of(pavement.direction), pavement.stone_mm.x,
                  pavement.stone_mm.y, pavement.joint_mm);
   const vec2 border = paving::border_stone_mm(pavement);
-  fmt::format_to(to, ",\"border\":\"{}\",\"border_stone_mm\":[{},{}],\"missing\":{},\"outline_um\":",
-                 name_of(pavement.border.course), border.x, border.y, pavement.variation.missing);
+  fmt::format_to(to, ",\"border\":\"{}\",\"border_stone_mm\":[{},{}],\"missing\":{},\"by_hand\":{},",
+                 name_of(pavement.border.course), border.x, border.y, pavement.variation.missing, pavement.hand.amount);
+  if (pavement.hand.rounded) fmt::format_to(to, "\"rounded\":{},", *pavement.hand.rounded);
+  if (pavement.hand.nibbled) fmt::format_to(to, "\"nibbled\":{},", *pavement.hand.nibbled);
+  out += "\"outline_um\":";
   put_ring(out, pavement.area.outline);
   out += ",\"holes_um\":[";
   for (std::size_t h = 0; h < pavement.area.holes.size(); ++h) {

@@ -11,6 +11,7 @@
 #include "layouts/draws.h"
 #include "layouts/random_areas.h"
 #include "paving/bonds/table.h"
+#include "paving/catalogue/hand_presets.h"
 
 namespace shatterpave::layouts {
 
@@ -117,6 +118,21 @@ std::string border_text(const Draws& draws) {
   return text;
 }
 
+// A quarter is laid by hand: as a preset says, or by any amount, with corners as that says or by keys of their own.
+std::string hand_text(const Draws& draws) {
+  if (draws.chance("by the line", 0.75)) return {};
+  if (draws.chance("preset", 0.2)) {
+    return fmt::format("hand_preset = \"{}\"\n", paving::hand_presets.at(draws.count("which", 0, 2)).name);
+  }
+  std::string text =
+      fmt::format("laid_by_hand = {:.3f}\n", draws.chance("worn", 0.3) ? 1.0 : draws.between("amount", 0.001, 1.0));
+  if (draws.chance("own corners", 0.3)) {
+    text += fmt::format("hand = {{rounded = {:.3f}, nibbled = {:.3f}}}\n", draws.between("rounded", 0.0, 0.3),
+                        draws.between("nibbled", 0.0, 1.0));
+  }
+  return text;
+}
+
 // What is rare about a scene: one or two of these.
 struct Rarities {
   bool few = false;        // stones are larger than the area
@@ -202,6 +218,7 @@ DrawnScene random_scene(std::uint64_t number, std::uint64_t attempt, Kind kind, 
   toml += fmt::format("stone_mm = [{:.1f}, {:.1f}]\njoint_mm = {:.1f}\n", sizes.stone_mm.x, sizes.stone_mm.y, sizes.joint_mm);
   toml += bond_text(draws.of("bond"), bond, sizes);
   toml += border_text(draws.of("border"));
+  toml += hand_text(draws.of("hand"));
   toml += fmt::format("direction = {{{}}}\n", direction_text(draws.of("direction"), region));
   return {area.shape, std::move(toml)};
 }

@@ -10,6 +10,7 @@
 #include "paving/bonds/table.h"
 #include "paving/catalogue/finishes.h"
 #include "paving/catalogue/stone_sizes.h"
+#include "scene/draft.h"
 
 namespace shatterpave::scene {
 namespace {
@@ -327,6 +328,8 @@ TEST(ReadScene, OverridesWinWhateverTheirPath) {
   const std::vector<Override> overrides = {
       {"--set", "seed", "9"},
       {"--set", "pane[0].thickness_mm", "3"},
+      {"--set", "pane.\"window\".time_us", "40"},
+      {"--set", "'camera'.at_mm", "[0, -500, 0]"},
       {"--set", "pane.window.size_mm[1]", "250"},
       {"--set", "pavement.path.joint_mm", "4"},
       {"--set", "pavement[0].relief.hurst", "0.5"},
@@ -336,11 +339,23 @@ TEST(ReadScene, OverridesWinWhateverTheirPath) {
   const Scene scene = read(contract_scene, overrides);
   EXPECT_EQ(scene.seed, 9U);
   EXPECT_EQ(scene.panes[0].thickness_mm, 3.0);
+  EXPECT_EQ(scene.panes[0].time_us, 40.0);
+  EXPECT_EQ(scene.camera->at_mm, vec3(0, -500, 0));
   EXPECT_EQ(scene.panes[0].outline_mm[2], vec2(300, 250));
   EXPECT_EQ(scene.pavements[0].joint_mm, 4.0);
   EXPECT_EQ(scene.pavements[0].relief.hurst, 0.5);
   EXPECT_EQ(scene.panes[0].growth, glass::preset("agui1992-fig16b")->growth);
   EXPECT_EQ(scene.panes[0].impacts[0].at_mm, vec2(20, 30));
+}
+
+TEST(ReadScene, ADraftTakesNoKeyThatScenesHaveNot) {
+  Draft draft(contract_scene, "s.toml");
+  EXPECT_THROW(draft.set({"set", "pane[0].growth.speed_mm", "3"}), InputError);
+  EXPECT_THROW(draft.append({"add", "panes", "{name = \"x\"}"}), InputError);
+  EXPECT_THROW(draft.append({"add", "still", "{setting = \"own\"}"}), InputError);
+  EXPECT_THROW(draft.append({"add", "pane[0].size_mm", "{x = 1}"}), InputError);
+  EXPECT_EQ(draft.append({"add", "pane.window.impact", "{at_mm = [1, 2]}"}), "pane.window.impact[1]");
+  EXPECT_EQ(draft.scene().panes[0].impacts.size(), 2U);
 }
 
 TEST(ReadScene, TakesTheShapeOfCracks) {

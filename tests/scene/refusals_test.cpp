@@ -345,6 +345,42 @@ const std::vector<OverrideCase> override_cases = {
      "--set pane..x=3: expected a key such as seed, pane[0].thickness_mm or pavement.path.joint_mm, got \"pane..x\""},
     {"open_bracket", "pane[0=3",
      "--set pane[0=3: expected a key such as seed, pane[0].thickness_mm or pavement.path.joint_mm, got \"pane[0\""},
+    {"unknown_at_the_root", "sed=5", "--set sed=5: sed: unknown key; did you mean seed?"},
+    {"unknown_by_name", "pane.window.thick=3",
+     "--set pane.window.thick=3: pane[0].thick: unknown key; did you mean thickness_mm?"},
+    {"unknown_in_unknown", "pane[0].growht.speed.x=3",
+     "--set pane[0].growht.speed.x=3: pane[0].growht: unknown key; did you mean growth?"},
+    {"key_of_element", "pane.thickness_mm=3",
+     "--set pane.thickness_mm=3: expected pane[0] or pane.window, got \"thickness_mm\"; did you mean pane[0].thickness_mm?"},
+    {"below_number", "seed.x=3",
+     "--set seed.x=3: expected a key that leads to a value, got one that goes on after seed, which is a whole number"},
+    {"below_text", "light.environment.x=3",
+     "--set light.environment.x=3: expected a key that leads to a value, got one that goes on after light.environment, which "
+     "is a "
+     "text"},
+    {"index_of_table", "still[0]=3",
+     "--set still[0]=3: expected a key that leads to a value, got one that goes on after still, which is a table"},
+    {"list_not_given", "camera.at_mm[1]=3",
+     "--set camera.at_mm[1]=3: expected an element of camera.at_mm, got camera.at_mm[1]; there are none"},
+    {"name_in_list_not_given", "camera.at_mm.x=3",
+     "--set camera.at_mm.x=3: expected a key that leads to a value, got one that goes on after camera.at_mm, which is a list"},
+    {"name_in_list", "pane[0].size_mm.x=3",
+     "--set pane[0].size_mm.x=3: expected pane[0].size_mm[0] or pane[0].size_mm[1], got \"x\""},
+    {"below_number_in_list", "pane[0].size_mm[0][1]=3",
+     "--set pane[0].size_mm[0][1]=3: expected a key that leads to a value, got one that goes on after pane[0].size_mm[0], "
+     "which is "
+     "300"},
+    {"tables_not_given", "pavement[0].colour[0].srgb=[1,1,1]",
+     "--set pavement[0].colour[0].srgb=[1,1,1]: expected an element of pavement[0].colour, got pavement[0].colour[0]; there "
+     "are "
+     "none"},
+    {"quoted_near_name", "pane.\"windw\".thickness_mm=3",
+     "--set pane.\"windw\".thickness_mm=3: expected pane[0] or pane.window, got \"windw\"; did you mean pane.window?"},
+    {"open_quote", "pane.'window.thickness_mm=3",
+     "--set pane.'window.thickness_mm=3: expected a key such as seed, pane[0].thickness_mm or pavement.path.joint_mm, got "
+     "\"pane.'window.thickness_mm\""},
+    {"text_for_whole_table", "pane[0].growth=slow",
+     "--set pane[0].growth=slow: pane[0].growth: expected a table [pane[0].growth], got the text \"slow\""},
     {"trailing_dot", "pane.=3",
      "--set pane.=3: expected a key such as seed, pane[0].thickness_mm or pavement.path.joint_mm, got \"pane.\""},
 };

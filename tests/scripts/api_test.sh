@@ -1,15 +1,11 @@
 #!/usr/bin/env bash
 # The API page of the public headers is made without a warning, and holds what users look for; and it would not be made if a
 # public function had no comment.
-set -euo pipefail
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 
-fail() { printf '%s\n' "$*"; exit 1; }
-
-"$root/docs/api.sh" "$scratch/api" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "the API page is not made"; }
-[[ $(<"$scratch/log") == "$scratch/api/html/index.html" ]] || { cat "$scratch/log"; fail "more was said than where the page is"; }
+quietly "the API page is not made" "$root/docs/api.sh" "$scratch/api"
+[[ $(<"$scratch/log") == "$scratch/api/html/index.html" ]] || fail "more was said than where the page is"
 [[ -s $scratch/api/html/index.html ]] || fail "there is no page"
 for thing in Scene Model Pane Pavement InputError Value; do
   compgen -G "$scratch/api/html/*shatterpave_1_1$thing.html" >/dev/null || fail "there is no page of $thing"
@@ -24,4 +20,4 @@ sed -i 's|^double area(const Polygon|int unexplained(int number);\n\n/// Area.\n
 grep -q unexplained "$scratch/bare/include/shatterpave/geometry.h" || fail "the twin is not made"
 sed -i '/^\/\/\/ Signed area of a polygon/d' "$scratch/bare/include/shatterpave/geometry.h"
 if "$scratch/bare/docs/api.sh" "$scratch/other" >"$scratch/log" 2>&1; then fail "a function without a comment is no error"; fi
-grep -q 'unexplained.*not documented' "$scratch/log" || { cat "$scratch/log"; fail "another error was expected"; }
+grep -q 'unexplained.*not documented' "$scratch/log" || fail "another error was expected"

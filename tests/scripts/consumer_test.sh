@@ -2,17 +2,8 @@
 # Installs what is built, looks at what is there, builds a project of somebody else's with it, and looks at what that writes; then
 # runs the installed command from a folder that knows nothing of this one.
 #   consumer_test.sh BUILD   the build folder
-set -euo pipefail
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
-build=$1
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-
-fail() { printf '%s\n' "$*"; exit 1; }
-# quietly WHAT COMMAND…: fails with WHAT and what the command said.
-quietly() {
-  "${@:2}" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$1"; }
-}
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 
 quietly "installation failed" cmake --install "$build" --prefix "$scratch/installed"
 

@@ -1,19 +1,14 @@
 #!/usr/bin/env bash
 # Builds the examples with the installed library, runs them, and holds what they print and write against what must come out.
 #   examples_test.sh BUILD   the build folder
-set -euo pipefail
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
-build=$1
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 
-fail() { printf '%s\n' "$*"; exit 1; }
-quietly() { "$@" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "failed: $*"; }; }
 
-quietly cmake --install "$build" --prefix "$scratch/installed"
-quietly cmake -S "$root/examples" -B "$scratch/build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_PREFIX_PATH="$scratch/installed" \
+quietly "installation failed" cmake --install "$build" --prefix "$scratch/installed"
+quietly "examples are not configured" cmake -S "$root/examples" -B "$scratch/build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_PREFIX_PATH="$scratch/installed" \
   -DCMAKE_CXX_FLAGS='-Wall -Wextra -Wpedantic -Werror'
-quietly cmake --build "$scratch/build"
+quietly "examples are not built" cmake --build "$scratch/build"
 cd "$scratch"
 
 # A pane: thirty radial cracks about each impact, eight of them large; the drawing has a line for each crack.
@@ -30,10 +25,7 @@ xml.etree.ElementTree.parse(sys.argv[2])
 PYTHON
 # A folder in the way of a file is the input's fault: status 2, and the reason.
 mkdir -p blocked/shop-window.svg
-status=0
-build/pane blocked >/dev/null 2>message || status=$?
-((status == 2)) || fail "a folder in the way: status $status"
-grep -q 'shop-window.svg' message || fail "a folder in the way: $(<message)"
+refuses 'shop-window.svg' build/pane blocked
 
 # A court of 4 × 1.5 and 1.5 × 1.5 m without a pit of 0.5 × 0.5 m: 8 m². A whole stone has 0.2 × 0.1 m. Joints of 5 mm take some 7 %.
 build/pavement >pavement.txt
@@ -86,8 +78,5 @@ PYTHON
 # Another state of the scene: what the exporter made of the earlier one is replaced, and of a wrong one nothing is written.
 before=$(sha256sum <out/yard.dxf)
 sed -i 's/joint_mm = 8/joint_mm = 80000/' yard.toml
-status=0
-build/own_exporter yard.toml out >/dev/null 2>message || status=$?
-((status == 2)) || fail "a wrong scene: status $status"
-grep -q '^yard.toml:7:12: pavement\[0\].joint_mm: expected' message || fail "a wrong scene: $(<message)"
+refuses '^yard.toml:7:12: pavement\[0\].joint_mm: expected' build/own_exporter yard.toml out
 [[ $(sha256sum <out/yard.dxf) == "$before" ]] || fail "a wrong scene changed the file"

@@ -2,14 +2,10 @@
 # Frames of a shot: named, skipped where they are there, made again where they are not whole; runs that meet in one folder, are
 # killed, or fail; exports of frames; job files.
 #   frames_test.sh BUILD
-set -euo pipefail
-build=$(cd -- "$1" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 cd "$scratch"
 
-fail() { printf '%s\n' "$*"; exit 1; }
-shatterpave() { "$build/shatterpave" "$@"; }
 render() { shatterpave render shot.toml --size 48x32 --threads 1 "$@"; }
 # The pictures of a folder, each with its sum.
 pictures() { (cd "$1" && sha256sum ./*.exr ./*.png); }
@@ -140,10 +136,9 @@ pictures out | diff first - || fail "frames after kills are others"
 mkdir bin
 printf '#!/bin/sh\nexit 9\n' >bin/povray
 chmod +x bin/povray
-status=0
-PATH=$scratch/bin:$PATH render -o out --frames 1-2 --progress openjd >stdout 2>stderr || status=$?
-[[ $status == 3 && ! -s stdout ]] || fail "status $status: $(<stderr)"
-grep -q '^openjd_fail: POV-Ray failed' stderr || fail "openjd_fail: $(<stderr)"
+PATH=$scratch/bin:$PATH ends 3 render -o out --frames 1-2 --progress openjd
+[[ ! -s said ]] || fail "a failure writes: $(<said)"
+grep -q '^openjd_fail: POV-Ray failed' message || fail "openjd_fail: $(<message)"
 PATH=$scratch/bin:$PATH render -o new --frames 1-2 >/dev/null 2>&1 && fail "no failure"
 [[ ! -e new ]] || fail "a failure leaves: $(find new)"
 no_others out "a failure"
@@ -155,13 +150,12 @@ render -o out --frames 2 --progress none 2>stderr >/dev/null
 [[ ! -s stderr ]] || fail "--progress none: $(<stderr)"
 
 # Refused in words.
-refused() { local status=0; "$build/shatterpave" "${@:2}" >/dev/null 2>stderr || status=$?
-  if [[ $status != 2 ]] || ! grep -qF -- "$1" stderr; then fail "${*:2}: $status $(<stderr)"; fi; }
+refused() { refuses "$1" shatterpave "${@:2}"; }
 refused "--frames: expected frames of the scene's range 1-4, got 7-9" render shot.toml -o out --frames 7-9
 refused "with a negative frame" render shot.toml -o out --frames=-3
 refused "--skip-existing: expected --frames beside it" render shot.toml -o out --skip-existing
 sed '/^\[frames\]/,$d' shot.toml >still.toml
-refused "expected a scene with a table [frames]" render still.toml -o out --frames 1
+refused "expected a scene with a table \[frames\]" render still.toml -o out --frames 1
 sed 's/-500, 200/0, 100/' shot.toml >glass.toml
 refused "frame 4: camera.at_mm: expected a camera outside the glass" check glass.toml
 shatterpave check shot.toml >/dev/null || fail "check"

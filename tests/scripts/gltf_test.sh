@@ -2,20 +2,10 @@
 # Scenes as glTF: the validator of Khronos finds no error and no warning, and a fault that is planted is found. three.js in a
 # headless Chromium and Blender's importer read them: metres, glass that is no metal, textures, names.
 #   gltf_test.sh BUILD   the build folder, in which validator and three.js are installed
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-root=$(cd -- "$here/../.." && pwd)
-build=$(cd -- "$1" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 
-tools=(gltf-validator@2.0.0-dev.3.10 three@0.161.0)
-modules=$build/validators/node_modules
-if [[ ! -f $modules/installed || $(<"$modules/installed") != "${tools[*]}" ]]; then
-  npm install --silent --no-audit --no-fund --prefix "$build/validators" "${tools[@]}" >"$scratch/npm" 2>&1 ||
-    { cat "$scratch/npm"; exit 1; }
-  echo "${tools[*]}" >"$modules/installed"
-fi
+modules=$(node_tools validators gltf-validator@2.0.0-dev.3.10 three@0.161.0)
 validator=$modules/gltf-validator
 
 cat >"$scratch/herringbone.toml" <<'TOML'
@@ -66,7 +56,7 @@ node "$here/gltf_check.js" "$validator" "$scratch"/out/*.glb
 # millimetres for metres.
 plant() { node "$here/gltf_check.js" "--$1" "$scratch/out/$2.glb" "$scratch/$2-$1.glb"; }
 plant plant tempered
-if node "$here/gltf_check.js" "$validator" "$scratch/tempered-plant.glb" >/dev/null; then echo "a planted fault passes"; exit 1; fi
+if node "$here/gltf_check.js" "$validator" "$scratch/tempered-plant.glb" >/dev/null; then fail "a planted fault passes"; fi
 jobs=("$scratch/out/bricks.glb:2:1:stone" "$scratch/out/tempered.glb:0.2:0.3:shard")
 for fault in metal wound uv unit; do
   plant "$fault" bricks
@@ -78,9 +68,8 @@ for fault in metal wound unit; do
 done
 node "$here/three_check.js" "$modules" "${jobs[@]}"
 
-in_blender() {
-  blender -b --factory-startup -P "$here/blender_gltf.py" -- "$1" >"$scratch/log" 2>&1 && grep -q '^gltf: ok' "$scratch/log"
-}
-in_blender "$scratch/out/tempered.glb" || { grep '^gltf:' "$scratch/log" || tail -n 30 "$scratch/log"; exit 1; }
-in_blender "$scratch/out/herringbone.glb" || { grep '^gltf:' "$scratch/log" || tail -n 30 "$scratch/log"; exit 1; }
-if in_blender "$scratch/tempered-metal.glb"; then echo "glass of metal passes"; exit 1; fi
+is_glass() { in_blender gltf blender_gltf.py "$1"; }
+for name in tempered herringbone; do
+  is_glass "$scratch/out/$name.glb" || fail "$name: $(grep '^gltf:' "$scratch/log")"
+done
+if is_glass "$scratch/tempered-metal.glb"; then fail "glass of metal passes"; fi

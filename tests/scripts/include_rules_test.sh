@@ -1,10 +1,8 @@
 #!/usr/bin/env bash
 # The include rules must hold here, and must fail on each kind of file that breaks one.
-set -euo pipefail
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 rules=$root/.ci/include_rules.sh
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 
 "$rules" "$root"
 
@@ -19,12 +17,10 @@ expect() {
   found=$("$rules" "$scratch" 2>&1) || status=1
   rm "$scratch/$2"
   if ((status != $1)); then
-    printf 'in %s, "%s": expected status %d, got %d\n%s\n' "$2" "$3" "$1" "$status" "$found"
-    exit 1
+    fail "in $2, \"$3\": expected status $1, got $status: $found"
   fi
   if (($1 == 1)) && [[ $found != "$2:1: "* ]]; then
-    printf 'the finding does not start with its place: %s\n' "$found"
-    exit 1
+    fail "the finding does not start with its place: $found"
   fi
 }
 

@@ -2,14 +2,9 @@
 # The tables of keys in docs/scene-file.md are those that `shatterpave keys --markdown` prints.
 #   keys_test.sh BUILD           fails where they differ
 #   keys_test.sh BUILD --renew   writes them into the page
-set -euo pipefail
-build=$1
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 page=$root/docs/scene-file.md
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-
-fail() { printf '%s\n' "$*"; exit 1; }
 
 "$build/shatterpave" keys --markdown >"$scratch/tables" || fail "keys --markdown: exit status $?"
 # The page with each table, from its first line to its last, as the command prints it.

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Every test has one label of tests/labels.cmake, each label has tests, and what is fast runs no other program.
 #   labels_test.sh BUILD   the build folder
-set -euo pipefail
-build=$1
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 ctest --test-dir "$build" --show-only=json-v1 | python3 -c '
 import collections, json, sys
 tests = json.load(sys.stdin)["tests"]

@@ -2,12 +2,10 @@
 # Random layouts before the judge: none may be wrong, and each that is spoilt must be found out. The first of those that .ci/long/layouts
 # lays, without the real places beside the repository: about two minutes of two processors.
 #   layouts_test.sh BUILD   the build folder
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 program=$1/tests/layouts/random_layouts
 judge=$here/../layouts/judge_layouts.py
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 
 # A line is a function of its number alone.
 "$program" --first 30 --count 100 >"$scratch/lines"

@@ -2,13 +2,8 @@
 # Runs `measure` and opens its report in Chromium, without network: every plot must be drawn, nothing may be fetched, and a page
 # with a broken plot, without the library or with a foreign resource must be found out.
 #   measure_test.sh BUILD   the build folder
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-build=$1
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-
-fail() { printf '%s\n' "$*"; exit 1; }
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 
 cat >"$scratch/panes.toml" <<'TOML'
 seed = 3

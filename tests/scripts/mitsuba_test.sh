@@ -2,33 +2,23 @@
 # Scenes for Mitsuba 3: it renders them without a warning, shows what POV-Ray shows where POV-Ray shows it, and glass lets through what
 # Fresnel's equations say in both; faults that are planted are found.
 #   mitsuba_test.sh BUILD [SCENE.toml …]   the build folder, in which Mitsuba is installed; scenes that are rendered, else some small ones
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-build=$(cd -- "$1" && pwd)
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 shift
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-# shellcheck source=tests/scripts/python_tools.sh
-source "$here/python_tools.sh"
-python=$(python_tools "$build" mitsuba mitsuba==3.9.0 numpy==2.2.6)
+python=$(python_tools mitsuba mitsuba==3.9.0 numpy==2.2.6)
 out=$scratch/out
 
 exported() { "$build/shatterpave" export "$1" -o "$out" --target mitsuba --target povray --target json >/dev/null; }
 # As its users do. What it prints is shown where it fails or warns.
 rendered() {
   if ! "${python%/*}/mitsuba" -m scalar_rgb -Dspp=8 -Dwidth=160 -Dheight=120 -o "$2" "$1" >"$scratch/log" 2>&1 || grep -q WARN "$scratch/log"; then
-    tail -n 20 "$scratch/log"
-    exit 1
+    fail "$1 is not rendered without a warning"
   fi
 }
 check() { "$python" "$here/mitsuba_check.py" "$@"; }
 refused() {
-  if check "$@" >"$scratch/log" 2>&1; then
-    cat "$scratch/log"
-    echo "a planted fault passes: $*"
-    exit 1
-  fi
-  grep -q '^mitsuba: expected' "$scratch/log" || { cat "$scratch/log"; exit 1; }
+  if check "$@" >"$scratch/log" 2>&1; then fail "a planted fault passes: $*"; fi
+  grep -q '^mitsuba: expected' "$scratch/log" || fail "found for another reason: $*"
 }
 pictures=()
 look_at() {

@@ -2,14 +2,9 @@
 # Shards as OBJ and PLY, read by trimesh: closed, no facet without area, with the volumes that the pane and the gaps leave, where they
 # were and where they have fallen; and a pane of which nothing is left is refused in words. (blender_glass_test.sh has their materials.)
 #   obj_test.sh BUILD   the build folder, in which the reader is installed
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-build=$(cd -- "$1" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-# shellcheck source=tests/scripts/python_tools.sh
-source "$here/python_tools.sh"
-python=$(python_tools "$build" trimesh trimesh==5.2.0 shapely==2.0.7 numpy==2.2.6)
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
+python=$(python_tools trimesh trimesh==5.2.0 shapely==2.0.7 numpy==2.2.6)
 
 pane='seed = 11
 [[pane]]
@@ -27,7 +22,7 @@ check() { "$python" "$here/obj_check.py" "$scratch/out/$1.obj" "$scratch/out/$1.
 for name in place fallen; do
   "$build/shatterpave" export "$scratch/$name.toml" -o "$scratch/out" --target obj --target ply --target json >/dev/null
 done
-grep -q '"state":"fallen"' "$scratch/out/fallen.json" || { echo "no shard has fallen"; exit 1; }
+grep -q '"state":"fallen"' "$scratch/out/fallen.json" || fail "no shard has fallen"
 check place 0
 check fallen 1
 
@@ -35,7 +30,7 @@ check fallen 1
 cp "$scratch/out/place.obj" "$scratch/good.obj"
 faulty() {
   awk "$1" "$scratch/good.obj" >"$scratch/out/place.obj"
-  if check place 0 >/dev/null 2>&1; then echo "a planted fault passes: $1"; exit 1; fi
+  if check place 0 >/dev/null 2>&1; then fail "a planted fault passes: $1"; fi
 }
 # shellcheck disable=SC2016  # awk's own.
 faulty '$1 == "f" && !gone { gone = 1; next } { print }'
@@ -44,10 +39,5 @@ faulty '$1 == "f" && !turned { turned = 1; print $1, $2, $4, $3; next } { print 
 # shellcheck disable=SC2016
 faulty '$1 == "v" { $2 *= 1.01; $3 *= 1.01; $4 *= 1.01 } { print }'
 
-status=0
-"$build/shatterpave" export "$scratch/gone.toml" -o "$scratch/none" --target obj 2>"$scratch/told" >/dev/null || status=$?
-if [[ $status != 2 || -e $scratch/none ]] || ! grep -q 'target obj: expected a shard .* every piece of window is gone' "$scratch/told"; then
-  echo "an empty OBJ: exit status $status"
-  cat "$scratch/told"
-  exit 1
-fi
+refuses 'target obj: expected a shard .* every piece of window is gone' shatterpave export "$scratch/gone.toml" -o "$scratch/none" --target obj
+[[ ! -e $scratch/none ]] || fail "an empty OBJ leaves $(find "$scratch/none")"

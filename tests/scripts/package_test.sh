@@ -2,16 +2,12 @@
 # The packages: what is in them, that it runs from where it lies, that the manual page has no fault, and that bash and zsh complete
 # commands, options, targets and folders. (.ci/long/package installs them on a bare system.)
 #   package_test.sh BUILD
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-build=$(cd -- "$1" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-fail() { printf '%s\n' "$*"; exit 1; }
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 
 version=$("$build/shatterpave" --version | sed -n '1s/^shatterpave //p')
 for kind in DEB TGZ; do
-  cpack --config "$build/CPackConfig.cmake" -G "$kind" -B "$scratch" >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+  quietly "no $kind" cpack --config "$build/CPackConfig.cmake" -G "$kind" -B "$scratch"
 done
 command=$scratch/shatterpave_${version}_$(dpkg --print-architecture).deb
 development=$scratch/libshatterpave-dev_${version}_$(dpkg --print-architecture).deb

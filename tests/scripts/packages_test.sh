@@ -1,13 +1,9 @@
 #!/usr/bin/env bash
 # The set-up: reads the sections of packages.txt, finds what is missing, and never installs what is there.
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 # shellcheck source=../../.ci/setup.sh
-source "$here/../../.ci/setup.sh"
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-
-fail() { printf '%s\n' "$*"; exit 1; }
+source "$root/.ci/setup.sh"
 
 # Each line of packages.txt is a comment, a section or one name, and no package stands twice.
 bad=$(grep -nvE '^(#.*|\[[a-z]+\]|[a-z0-9][a-z0-9.+-]*)?$' "$root/packages.txt" || true)

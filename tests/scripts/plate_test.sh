@@ -1,14 +1,10 @@
 #!/usr/bin/env bash
 # The plate of the twelve presets: whole, the same each time, and refused where a caption is not what the pane is.
 #   plate_test.sh BUILD
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-plate=$here/../../docs/plate.sh
-command=$1/shatterpave
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-
-fail() { printf '%s\n' "$*"; exit 1; }
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
+plate=$root/docs/plate.sh
+command=$build/shatterpave
 
 [[ $("$plate" --command "$command" --seed 3 "$scratch/a.svg") == "$scratch/a.svg" ]] || fail "does not say what it wrote"
 "$plate" --command "$command" --seed 3 "$scratch/b.svg" >"$scratch/said"
@@ -36,9 +32,7 @@ for pane in panes:
             assert len(numbers) % 2 == 0 and 0 <= sum(numbers[::2]) <= 3000 and -3000 <= sum(numbers[1::2]) <= 0, caption
 CHECK
 
-status=0
-"$plate" --wrong 2>"$scratch/said" || status=$?
-[[ $status == 2 ]] || fail "an unknown option ends with $status"
-sed "s|^here=.*|here=$here/../../docs|; s/^14 b 104 /14 b 105 /" "$plate" >"$scratch/plate.sh"
+ends 2 "$plate" --wrong
+sed "s|^here=.*|here=$root/docs|; s/^14 b 104 /14 b 105 /" "$plate" >"$scratch/plate.sh"
 if bash "$scratch/plate.sh" --command "$command" "$scratch/c.svg" 2>"$scratch/said"; then fail "a wrong caption is not noticed"; fi
 [[ ! -e $scratch/c.svg ]] || fail "a plate with a wrong caption is left"

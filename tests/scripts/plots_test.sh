@@ -2,13 +2,8 @@
 # The report's plotting library: where npm cannot fetch it, a build goes on without the report unless it is required, and a package
 # that is not the right one is refused.
 #   plots_test.sh BUILD   the build folder, which holds the packages
-set -euo pipefail
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
-build=$1
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-
-fail() { printf '%s\n' "$*"; cat "$scratch/log"; exit 1; }
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 
 # configured PLOTS [-DOPTION…]: whether CMake configures, with an npm that always fails.
 configured() {

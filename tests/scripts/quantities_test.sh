@@ -1,12 +1,8 @@
 #!/usr/bin/env bash
 # Quantities: the tables of the target csv, counted again from the JSON in another language; faults that are planted are found.
 #   quantities_test.sh BUILD   the build folder
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-root=$(cd -- "$here/../.." && pwd)
-build=$(cd -- "$1" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 
 cat >"$scratch/yard.toml" <<'TOML'
 seed = 5
@@ -38,7 +34,7 @@ check() { /usr/bin/python3 "$here/quantities_check.py" "$scratch/out" "$@"; }
 exported "$scratch/yard.toml"
 check yard terrace:field:200:100 terrace:border:200:100
 for part in field border kerb step; do
-  grep -q "\"part\":\"$part\"" "$scratch/out/yard.json" || { echo "JSON has no stone of the part $part"; exit 1; }
+  grep -q "\"part\":\"$part\"" "$scratch/out/yard.json" || fail "JSON has no stone of the part $part"
 done
 for name in stone_path courtyard terrace_steps kinds_of_glass; do
   exported "$root/scenes/$name.toml"
@@ -57,15 +53,11 @@ sheet() { "$build/shatterpave" export "$scratch/yard.toml" -o "$scratch/sheet" -
 sheet 1:50
 check_sheet() { /usr/bin/python3 "$here/quantities_check.py" --sheet "$scratch/sheet" yard "$1"; }
 check_sheet 50
-if check_sheet 49.9 >/dev/null 2>&1; then echo "a sheet of another scale passes"; exit 1; fi
+if check_sheet 49.9 >/dev/null 2>&1; then fail "a sheet of another scale passes"; fi
 rsvg-convert --width 1200 "$scratch/sheet/yard-sheet.svg" --output "$scratch/sheet.png"
 refused() {
-  local status=0
-  "$build/shatterpave" export "$@" -o "$scratch/none" >/dev/null 2>"$scratch/told" || status=$?
-  if ((status != 2)) || [[ -e $scratch/none ]] || ! grep -q -- "--scale: expected" "$scratch/told"; then
-    echo "status $status of $*: $(<"$scratch/told")"
-    exit 1
-  fi
+  refuses '--scale: expected' shatterpave export "$@" -o "$scratch/none"
+  [[ ! -e $scratch/none ]] || fail "refused, but there is $(find "$scratch/none")"
 }
 refused "$scratch/yard.toml" --target svg --scale 1:2
 refused "$scratch/yard.toml" --target svg --scale 50
@@ -78,8 +70,8 @@ cp "$scratch"/out/yard-*.csv "$scratch"
 faulty() {
   cp "$scratch"/yard-*.csv "$scratch/out"
   sed -i "$2" "$scratch/out/yard-$1.csv"
-  if cmp -s "$scratch/out/yard-$1.csv" "$scratch/yard-$1.csv"; then echo "nothing was planted: $2"; exit 1; fi
-  if check yard terrace:field:200:100 >/dev/null 2>&1; then echo "a planted fault passes: $2"; exit 1; fi
+  if cmp -s "$scratch/out/yard-$1.csv" "$scratch/yard-$1.csv"; then fail "nothing was planted: $2"; fi
+  if check yard terrace:field:200:100 >/dev/null 2>&1; then fail "a planted fault passes: $2"; fi
 }
 faulty quantities 's/^terrace,field_whole,\([0-9]*\)/terrace,field_whole,1\1/'
 faulty quantities 's/^\(terrace,joints,,\)[^,]*/\10.5/'

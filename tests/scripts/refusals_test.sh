@@ -1,12 +1,9 @@
 #!/usr/bin/env bash
 # `check` and `export` refuse the same scenes with the same message at the place of the key, and write nothing.
-set -euo pipefail
-build=$1
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 cd "$scratch"
 
-failures=0
 # refuse MESSAGE SCENE: of a scene whose last lines are SCENE
 refuse() {
   printf '%s\n' "$2" >s.toml
@@ -15,8 +12,7 @@ refuse() {
     # shellcheck disable=SC2086  # Two words and more.
     "$build/shatterpave" $arguments >told 2>message || status=$?
     if [[ $status != 2 || $(<message) != "$1" || -s told || -e out ]]; then
-      printf '%s: exit status %s, expected 2\n  expected %s\n  got      %s\n' "$arguments" "$status" "$1" "$(<message)"
-      failures=$((failures + 1))
+      fault "$(printf '%s: exit status %s, expected 2\n  expected %s\n  got      %s' "$arguments" "$status" "$1" "$(<message)")"
     fi
     rm -rf out
   done
@@ -113,4 +109,3 @@ refuse 's.toml:4:1: pavement[0].jiont_mm: unknown key; did you mean joint_mm?' "
 size_mm = [900, 900]
 jiont_mm = 10"
 
-[[ $failures == 0 ]] || { echo "$failures failures"; exit 1; }

@@ -2,13 +2,10 @@
 # A scene from a stranger (docs/security.md): texts of it reach no renderer's language, endless input ends, links and pipes are not written through.
 # shellcheck disable=SC2016  # What must not be run stands in single quotes.
 #   security_test.sh BUILD   the build folder
-set -euo pipefail
-build=$(cd -- "$1" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 cd "$scratch"
 
-fail() { printf '%s\n' "$*"; exit 1; }
 # refused WHAT COMMAND…: status 2 within ten seconds and in 1 GiB, one short message, nothing on stdout.
 refused() {
   local what=$1 status=0

@@ -1,16 +1,13 @@
 #!/usr/bin/env bash
 # The live view: what it refuses, how it ends, and a session in a headless Chromium (serve_page.js).
 #   serve_test.sh BUILD   the build folder, in which playwright-core is installed
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-build=$(cd -- "$1" && pwd)
-scratch=$(mktemp -d)
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 server=
-trap '[[ -z $server ]] || kill -9 "$server" 2>/dev/null || true; rm -rf "$scratch"' EXIT
+window=
+at_end() { for process in $server $window; do kill -9 "$process" 2>/dev/null || true; done; }
 export TMPDIR=$scratch/tmp
 mkdir "$TMPDIR"
-
-fail() { printf '%s\n' "$*" >&2; exit 1; }
 
 cat >"$scratch/window.toml" <<'TOML'
 # A window that a stone has hit.
@@ -41,7 +38,7 @@ start() {
   server=$!
   for _ in {1..300}; do
     [[ ! -s $scratch/address ]] || break
-    kill -0 "$server" 2>/dev/null || { cat "$scratch/messages" >&2; fail "the live view has ended"; }
+    kill -0 "$server" 2>/dev/null || fail "the live view has ended: $(<"$scratch/messages")"
     sleep 0.05
   done
   address=$(<"$scratch/address")
@@ -93,8 +90,8 @@ expect 411 "${json[@]}" -H 'Transfer-Encoding: chunked' --data-binary "@$scratch
 [[ $(ss -Hltn "sport = :$port" 2>/dev/null | awk '{print $4}') =~ ^(127\.0\.0\.1:$port)?$ ]] || fail "it listens elsewhere"
 
 # A second one at the port is told so, and the first goes on.
-if "$build/shatterpave" serve "$scratch/plaza.toml" --port "$port" >"$scratch/out" 2>"$scratch/err"; then fail "a port is taken twice"; else found=$?; fi
-[[ $found == 2 && $(wc -l <"$scratch/err") == 1 && ! -s $scratch/out ]] || fail "status 2 and a message expected, got $found: $(<"$scratch/err")"
+refuses . shatterpave serve "$scratch/plaza.toml" --port "$port"
+[[ $(wc -l <"$scratch/message") == 1 ]] || fail "one message expected, got: $(<"$scratch/message")"
 
 # Clients that send half a request, more than there are threads: others are answered soon after.
 for _ in {1..14}; do (exec 3<>"/dev/tcp/127.0.0.1/$port"; printf 'GET / HTTP/1.1\r\nHost: ' >&3; sleep 8) & done 2>/dev/null
@@ -135,17 +132,11 @@ wait "$server" || fail "status 0 expected after SIGINT"
 server=
 
 # A session in a browser.
-tools=(playwright-core@1.65.1)
-modules=$build/browser/node_modules
-if [[ ! -f $modules/installed || $(<"$modules/installed") != "${tools[*]}" ]]; then
-  npm install --silent --no-audit --no-fund --prefix "$build/browser" "${tools[@]}" >"$scratch/npm" 2>&1 || { cat "$scratch/npm"; exit 1; }
-  echo "${tools[*]}" >"$modules/installed"
-fi
+modules=$(node_tools browser playwright-core@1.65.1)
 start "$scratch/window.toml" --port 0
 pane=$address
 window=$server
 start "$scratch/plaza.toml" --port 0
-trap 'kill -9 "$server" "$window" 2>/dev/null || true; rm -rf "$scratch"' EXIT
 pictures=$build/serve-pictures
 mkdir -p "$pictures"
-node "$here/serve_page.js" "$modules" "$pane" "$scratch/window.toml" "$address" "$pictures" || { cat "$scratch/messages" >&2; exit 1; }
+node "$here/serve_page.js" "$modules" "$pane" "$scratch/window.toml" "$address" "$pictures" || fail "$(<"$scratch/messages")"

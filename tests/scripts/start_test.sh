@@ -1,12 +1,8 @@
 #!/usr/bin/env bash
 # The command starts without OpenImageIO and PROJ, whose libraries take longer to load than most jobs to do, and finds the program
 # that has the former wherever it is called from.
-set -euo pipefail
-build=$1
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-
-fail() { printf '%s\n' "$*"; exit 1; }
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 
 ldd "$build/shatterpave" >"$scratch/loaded"
 ! grep OpenImageIO "$scratch/loaded" || fail "shatterpave loads OpenImageIO"
@@ -25,8 +21,6 @@ grep -q '\.png$' "$scratch/list" || fail "no raster was written: $(<"$scratch/li
 
 # Where that program is missing the message says so.
 cp "$build/shatterpave" "$scratch/alone"
-status=0
-"$scratch/alone" export "$scratch/s.toml" -o "$scratch/out2" 2>"$scratch/message" || status=$?
-[[ $status == 1 ]] || fail "alone: expected exit status 1, got $status"
+ends 1 "$scratch/alone" export "$scratch/s.toml" -o "$scratch/out2"
 grep -q "$scratch/shatterpave-rasters" "$scratch/message" || fail "alone: $(<"$scratch/message")"
 [[ ! -e $scratch/out2 ]] || fail "alone: something was written"

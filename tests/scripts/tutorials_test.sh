@@ -1,12 +1,9 @@
 #!/usr/bin/env bash
 # What the tutorials show runs as it stands there: a block after "Save as `FILE`:" is that file, every other block is typed.
 #   tutorials_test.sh BUILD [TUTORIAL.md …]   the build folder; the tutorials, else all
-set -euo pipefail
-root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
-build=$(cd -- "$1" && pwd)
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 shift
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 export PATH=$build:$PATH
 
 (($# > 0)) || set -- "$root"/docs/tutorials/*.md
@@ -30,16 +27,14 @@ for found in blocks:
     if text:
         print(f"(\n{text})")
 PYTHON
-  grep -q shatterpave "$scratch/$name.sh" || { echo "$name: no commands"; exit 1; }
+  grep -q shatterpave "$scratch/$name.sh" || fail "$name: no commands"
   if ! (cd "$scratch/$name" && bash "$scratch/$name.sh") >"$scratch/$name.log" 2>&1; then
-    cat "$scratch/$name.log"
-    echo "$name: what the tutorial shows fails"
-    exit 1
+    fail "$name: what the tutorial shows fails: $(<"$scratch/$name.log")"
   fi
   # What it says that one finds.
   # shellcheck disable=SC2016  # Backquotes of the page.
   while read -r file; do
-    [[ -s $scratch/$name/$file ]] || { echo "$name: $file is not there"; exit 1; }
+    [[ -s $scratch/$name/$file ]] || fail "$name: $file is not there"
   done < <(grep -o '`[a-z]*/[A-Za-z_.-]*\.[a-z]*`' "$tutorial" | tr -d '`')
   echo "$name: $((SECONDS - start)) s"
 done

@@ -2,17 +2,12 @@
 # Scenes as OpenUSD: by all rules of its own checkers nothing is wrong; prims, places, materials, camera and lights are those of the JSON;
 # faults that are planted are found.
 #   usd_test.sh BUILD [SCENE.toml …]   the build folder, in which the readers are installed; the scenes, else some small ones
-set -euo pipefail
-here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-build=$(cd -- "$1" && pwd)
+# shellcheck source=tests/scripts/test_kit.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 shift
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-# shellcheck source=tests/scripts/python_tools.sh
-source "$here/python_tools.sh"
 
 # The last version of usd-core with both checkers. It knows no MaterialX: the definition of the shader is made from MaterialX's own.
-python=$(python_tools "$build" usd usd-core==26.3 materialx==1.38.10 numpy==2.2.6)
+python=$(python_tools usd usd-core==26.3 materialx==1.38.10 numpy==2.2.6)
 mkdir "$scratch/definitions"
 export PXR_SDR_FS_PLUGIN_SEARCH_PATHS=$scratch/definitions PXR_SDR_FS_PLUGIN_ALLOWED_EXTS=usda TF_ENV_SETTING_ALERTS_ENABLED=0
 "$python" "$here/usd_check.py" --define "$scratch/definitions"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <string_view>
 #include <vector>
 
 #include "export/povray/sdl.h"
@@ -21,45 +22,70 @@ vec3 rounded(vec3 normal) {
 }
 
 void append_separator(std::string& text, std::size_t number) {
-  text += number == 0 ? "      " : (number % per_line == 0 ? ",\n      " : ", ");
+  if (number > 0) text += number % per_line == 0 ? ",\n" : ",";
+}
+
+// Of millions, each space is a megabyte, and so is each zero before a point.
+void append_short_number(std::string& text, double value) {
+  const std::size_t begin = text.size();
+  append_number(text, value);
+  const std::size_t digits = begin + (text[begin] == '-' ? 1 : 0);
+  if (text.compare(digits, 2, "0.") == 0) text.erase(digits, 1);
+}
+
+// As append_standing_point has it.
+void append_corner(std::string& text, vec3 at) {
+  text += '<';
+  append_short_number(text, at.x);
+  text += ',';
+  append_short_number(text, at.y);
+  text += ',';
+  append_short_number(text, -at.z);
+  text += '>';
 }
 
 struct GapMesh {
   std::vector<vec3> points;
   std::vector<vec3> normals;  // as many
-  std::vector<std::size_t> triangles;
 };
 
-std::string mesh_text(const GapMesh& mesh) {
+// All of a mesh but its faces, and those as they are given.
+std::string mesh_text(const GapMesh& mesh, std::string_view faces) {
   std::string text = fmt::format("   mesh2 {{\n      vertex_vectors {{ {},\n", mesh.points.size());
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     append_separator(text, i);
-    append_standing_point(text, mesh.points[i]);
+    append_corner(text, mesh.points[i]);
   }
   text += fmt::format(" }}\n      normal_vectors {{ {},\n", mesh.normals.size());
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
     append_separator(text, i);
-    append_standing_point(text, rounded(mesh.normals[i]));
+    append_corner(text, rounded(mesh.normals[i]));
   }
-  text += fmt::format(" }}\n      face_indices {{ {},\n", mesh.triangles.size() / 3);
-  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+  return text + fmt::format(" }}\n      {}\n      inside_vector z\n   }}\n", faces);
+}
+
+std::string faces_text(const std::vector<std::size_t>& triangles) {
+  std::string text = fmt::format("face_indices {{ {},\n", triangles.size() / 3);
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
     append_separator(text, i / 3);
-    fmt::format_to(std::back_inserter(text), "<{}, {}, {}>", mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]);
+    fmt::format_to(std::back_inserter(text), "<{},{},{}>", triangles[i], triangles[i + 1], triangles[i + 2]);
   }
-  return text + " }\n      inside_vector z\n   }\n";
+  return text + " }";
 }
 
 }  // namespace
 
 std::string sheet_mesh(const glass::CrackSurface& surface) {
-  GapMesh mesh{surface.left_mm, surface.normals, glass::closed_triangles(surface)};
+  GapMesh mesh{surface.left_mm, surface.normals};
   mesh.points.insert(mesh.points.end(), surface.right_mm.begin(), surface.right_mm.end());
   for (const vec3 normal : surface.normals) mesh.normals.push_back(-normal);
-  return mesh_text(mesh);
+  // The same faces as glass::closed_triangles, but for which way round they are: POV-Ray takes either.
+  return mesh_text(mesh, fmt::format("Shatterpave_Gap_Faces({}, {})", surface.columns(), surface.rows));
 }
 
 std::string shot_hole_mesh(const glass::ShotHole& shot_hole) {
-  GapMesh mesh{shot_hole.wall_mm, shot_hole.normals, glass::closed_triangles(shot_hole)};
+  GapMesh mesh{shot_hole.wall_mm, shot_hole.normals};
+  std::vector<std::size_t> triangles = glass::closed_triangles(shot_hole);
   const std::vector<vec3> middles = glass::middles_mm(shot_hole);
   // The ends are flat: rings of their own, with the normals of the faces of the pane.
   const std::size_t wall = shot_hole.wall_mm.size();
@@ -75,15 +101,14 @@ std::string shot_hole_mesh(const glass::ShotHole& shot_hole) {
       mesh.normals.push_back(mesh.normals[wall + end]);
     }
   }
-  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-    if (mesh.triangles[i] < wall) continue;
-    const bool far = mesh.triangles[i] == wall + 1;
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    if (triangles[i] < wall) continue;
+    const bool far = triangles[i] == wall + 1;
     for (std::size_t k = 1; k < 3; ++k) {
-      mesh.triangles[i + k] =
-          wall + 2 + (far ? mesh.triangles[i + k] - (wall - shot_hole.points) + shot_hole.points : mesh.triangles[i + k]);
+      triangles[i + k] = wall + 2 + (far ? triangles[i + k] - (wall - shot_hole.points) + shot_hole.points : triangles[i + k]);
     }
   }
-  return mesh_text(mesh);
+  return mesh_text(mesh, faces_text(triangles));
 }
 
 }  // namespace shatterpave::exporting::povray

@@ -13,6 +13,7 @@
 #include "scene/schema/pane_keys.h"
 #include "scene/schema/pavement_keys.h"
 #include "scene/schema/scene_keys.h"
+#include "scene/toml/apply_override.h"
 
 namespace shatterpave::scene {
 
@@ -27,7 +28,7 @@ constexpr std::array<std::string_view, 14> type_names = {"flag",        "number"
 
 std::string_view type_name(ValueType type) { return type_names.at(static_cast<std::size_t>(type)); }
 
-std::string path_of(const KeyTable& table, const Key& key) {
+std::string key_path(const KeyTable& table, const Key& key) {
   return fmt::format("{}{}{}", table.path, table.path.empty() ? "" : ".", key.name);
 }
 
@@ -110,7 +111,7 @@ struct ValueJson {
 };
 
 Json json_of(const KeyTable& table, const Key& key) {
-  Json entry{{"path", path_of(table, key)}, {"type", type_name(key.type)}};
+  Json entry{{"path", key_path(table, key)}, {"type", type_name(key.type)}};
   if (const std::string_view unit = unit_of(key.name); !unit.empty()) entry["unit"] = unit;
   if (key.range) {
     entry["low"] = key.range->low;
@@ -176,27 +177,24 @@ std::span<const KeyTable> key_tables() {
 }
 
 const Key* key_of_path(std::string_view path) {
-  const std::string_view breaks = ".[";
+  const auto steps = steps_of(path);
+  if (!steps) return nullptr;
   std::string table;
   const Key* key = nullptr;
-  bool is_element_next = false;  // what follows is an index, or a name, in a list of tables
-  while (!path.empty()) {
-    const std::size_t end = path.find_first_of(breaks, 1);
-    std::string_view step = path.substr(0, end);
-    path.remove_prefix(std::min(end, path.size()));
-    if (step.starts_with('.')) step.remove_prefix(1);
+  bool is_element_next = false;  // an index, or a name, in a list of tables
+  for (const KeyStep& step : *steps) {
     if (std::exchange(is_element_next, false)) continue;
-    if (key != nullptr && key->type != ValueType::table && key->type != ValueType::tables) {
-      return step.starts_with('[') ? key : nullptr;
-    }
+    const auto* const name = std::get_if<std::string>(&step);
+    const bool is_value = key != nullptr && key->type != ValueType::table && key->type != ValueType::tables;
+    if (is_value || name == nullptr) return is_value && name == nullptr ? key : nullptr;
     const auto tables = key_tables();
     const auto known = std::ranges::find(tables, table, &KeyTable::path);
     if (known == tables.end()) return nullptr;
-    const auto found = std::ranges::find(known->keys, step, &Key::name);
+    const auto found = std::ranges::find(known->keys, *name, &Key::name);
     if (found == known->keys.end()) return nullptr;
     key = &*found;
     is_element_next = key->type == ValueType::tables;
-    table += fmt::format("{}{}{}", table.empty() ? "" : ".", step, is_element_next ? "[]" : "");
+    table += fmt::format("{}{}{}", table.empty() ? "" : ".", *name, is_element_next ? "[]" : "");
   }
   return key;
 }
@@ -206,7 +204,7 @@ std::string keys_text() {
   for (const KeyTable& table : key_tables()) {
     for (const Key& key : table.keys) {
       std::string line =
-          fmt::format("{}: {}; default {}: {}\n", path_of(table, key), form_text(key), default_text(key), key.sentence);
+          fmt::format("{}: {}; default {}: {}\n", key_path(table, key), form_text(key), default_text(key), key.sentence);
       std::erase(line, '`');
       text += line;
     }

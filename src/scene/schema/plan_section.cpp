@@ -172,30 +172,7 @@ class Taken {
     for (const InputError& error : left_out) tell(error);
   }
 
-  // An error's line, "file:3:1: key: expected …", as a note at the same place.
-  void tell(const InputError& error) const {
-    std::string_view line = error.what();
-    Place place{plan_.file, 0, 0, ""};
-    const auto number = [&line] {
-      int value = 0;
-      while (!line.empty() && line.front() >= '0' && line.front() <= '9') {
-        value = 10 * value + (line.front() - '0');
-        line.remove_prefix(1);
-      }
-      return value;
-    };
-    if (line.starts_with(plan_.file)) line.remove_prefix(plan_.file.size());
-    if (line.starts_with(':') && !line.starts_with(": ")) {
-      line.remove_prefix(1);
-      place.line = number();
-      line.remove_prefix(std::min<std::size_t>(1, line.size()));
-      place.column = number();
-    }
-    if (line.starts_with(": ")) line.remove_prefix(2);
-    const std::size_t expected = std::min(line.find("expected "), line.size());
-    if (expected >= 2) place.key = line.substr(0, expected - 2);
-    add_note({place, "left out: " + std::string(line.substr(expected))}, notes_);
-  }
+  void tell(const InputError& error) const { add_note({error.place(), "left out: " + error.message()}, notes_); }
 
   const Plan& plan_;
   std::vector<Note>& notes_;

@@ -29,29 +29,56 @@ bool is_key_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
 
+// The name at the beginning of `rest`, which loses it; empty where there is none. Quotes may stand around it.
+std::string taken_name(std::string_view& rest) {
+  const bool is_quoted = rest.starts_with('"') || rest.starts_with('\'');
+  const char quote = is_quoted ? rest.front() : '\0';
+  if (is_quoted) rest.remove_prefix(1);
+  const auto end = std::ranges::find_if_not(rest, is_key_character);
+  const std::string name(rest.begin(), end);
+  rest.remove_prefix(name.size());
+  if (!is_quoted) return name;
+  if (!rest.starts_with(quote)) return {};
+  rest.remove_prefix(1);
+  return name;
+}
+
+// The same of "[index]".
+std::optional<std::size_t> taken_index(std::string_view& rest) {
+  std::size_t index = 0;
+  const char* const last = rest.data() + rest.size();
+  const auto [end, error] = std::from_chars(rest.data() + 1, last, index);
+  if (error != std::errc{} || end == last || *end != ']') return std::nullopt;
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()) + 1);
+  return index;
+}
+
 }  // namespace
 
-std::vector<KeyStep> key_steps(const Override& change) {
+std::optional<std::vector<KeyStep>> steps_of(std::string_view key) {
   std::vector<KeyStep> steps;
-  const std::string& key = change.key;
-  std::size_t at = 0;
-  while (at < key.size() || steps.empty()) {
-    if (steps.size() == most_steps) refuse_key(change);
-    if (at < key.size() && key[at] == '[' && !steps.empty()) {
-      std::size_t index = 0;
-      const auto [end, error] = std::from_chars(key.data() + at + 1, key.data() + key.size(), index);
-      if (error != std::errc{} || end == key.data() + key.size() || *end != ']') refuse_key(change);
-      steps.emplace_back(index);
-      at = static_cast<std::size_t>(end - key.data()) + 1;
+  std::string_view rest = key;
+  while (!rest.empty() || steps.empty()) {
+    if (steps.size() == most_steps) return std::nullopt;
+    if (!steps.empty() && rest.starts_with('[')) {
+      const auto index = taken_index(rest);
+      if (!index) return std::nullopt;
+      steps.emplace_back(*index);
       continue;
     }
-    if (!steps.empty() && (key[at] != '.' || ++at == key.size())) refuse_key(change);
-    const std::size_t start = at;
-    while (at < key.size() && is_key_character(key[at])) ++at;
-    if (at == start) refuse_key(change);
-    steps.emplace_back(key.substr(start, at - start));
+    if (!steps.empty() && !rest.starts_with('.')) return std::nullopt;
+    if (!steps.empty()) rest.remove_prefix(1);
+    std::string name = taken_name(rest);
+    if (name.empty()) return std::nullopt;
+    steps.emplace_back(std::move(name));
   }
   return steps;
+}
+
+std::vector<KeyStep> key_steps(const Override& change) {
+  auto steps = steps_of(change.key);
+  if (!steps) refuse_key(change);
+  return std::move(*steps);
 }
 
 toml::table parsed_value(const Override& change) {
@@ -82,7 +109,7 @@ std::vector<std::string> names_in(const toml::array& array) {
 
 // Says which elements there are: `path` is that of the array.
 [[noreturn]] void refuse_element(const Override& change, const toml::array& array, const std::string& path,
-                                 const std::string& got) {
+                                 const std::string& got, const std::string& suggested) {
   const Place place{change.origin, 0, 0, ""};
   if (array.empty()) refuse(place, "an element of " + path, fmt::format("{}; there are none", got));
   const std::vector<std::string> names = names_in(array);
@@ -93,23 +120,30 @@ std::vector<std::string> names_in(const toml::array& array) {
   const bool few = whole.size() <= most_listed;
   const std::string expected = few ? listed({whole.begin(), whole.end()}, "or")
                                    : fmt::format("{} to {}, or one by its name", whole.front(), whole[array.size() - 1]);
-  const std::string_view meant = nearest(got, {names.begin(), names.end()});
-  refuse(place, expected, in_quotes(got) + (meant.empty() ? std::string() : fmt::format("; did you mean {}.{}?", path, meant)));
+  const std::string_view near = nearest(got, {names.begin(), names.end()});
+  const std::string meant = near.empty() ? suggested : fmt::format("{}.{}", path, near);
+  refuse(place, expected, in_quotes(got) + (meant.empty() ? std::string() : fmt::format("; did you mean {}?", meant)));
 }
 
 }  // namespace
 
-toml::node& element_of(toml::array& array, const KeyStep& step, const Override& change, const std::string& path) {
+std::size_t element_index(const toml::array& array, const KeyStep& step, const Override& change, const std::string& path,
+                          const std::string& meant) {
   if (const auto* index = std::get_if<std::size_t>(&step)) {
-    if (*index >= array.size()) refuse_element(change, array, path, fmt::format("{}[{}]", path, *index));
-    return array[*index];
+    if (*index >= array.size()) refuse_element(change, array, path, fmt::format("{}[{}]", path, *index), {});
+    return *index;
   }
   const std::string& name = std::get<std::string>(step);
-  for (toml::node& element : array) {
-    const toml::table* table = element.as_table();
-    if (table != nullptr && table->at_path("name").value<std::string>() == name) return element;
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const toml::table* table = array[i].as_table();
+    if (table != nullptr && table->at_path("name").value<std::string>() == name) return i;
   }
-  refuse_element(change, array, path, name);
+  refuse_element(change, array, path, name, meant);
+}
+
+void refuse_way(const Override& change, const std::string& path, std::string_view what) {
+  refuse(Place{change.origin, 0, 0, ""}, "a key that leads to a value",
+         fmt::format("one that goes on after {}, which is {}", path.empty() ? "the scene" : path, what));
 }
 
 std::string path_of(const std::vector<KeyStep>& steps, std::size_t count) {
@@ -128,13 +162,10 @@ namespace {
 
 // `path` leads to `node`.
 toml::node& next_node(toml::node& node, const KeyStep& step, const Override& change, const std::string& path) {
-  if (toml::array* array = node.as_array()) return element_of(*array, step, change, path);
+  if (toml::array* array = node.as_array()) return (*array)[element_index(*array, step, change, path)];
   toml::table* table = node.as_table();
   const auto* key = std::get_if<std::string>(&step);
-  if (table == nullptr || key == nullptr) {
-    refuse(Place{change.origin, 0, 0, ""}, "a key that leads to a value",
-           fmt::format("one that goes on after {}, which is {}", path.empty() ? "the scene" : path, description(node)));
-  }
+  if (table == nullptr || key == nullptr) refuse_way(change, path, description(node));
   if (!table->contains(*key)) {
     toml::table made = toml::parse("value = {}", change.origin);  // parsed, so that messages know where it came from
     table->insert(*key, std::move(*made.get_as<toml::table>("value")));
@@ -164,9 +195,8 @@ void apply(const Override& change, toml::table& scene) {
   // Moved, not copied: a copy forgets where it came from, which messages show.
   std::move(*value.get("value")).visit([&](auto&& node) {
     if (toml::array* array = parent->as_array()) {
-      const toml::node& old = element_of(*array, steps.back(), change, path);
-      const auto at = std::ranges::find_if(*array, [&](const toml::node& element) { return &element == &old; });
-      array->replace(at, std::forward<decltype(node)>(node));
+      const auto at = static_cast<std::ptrdiff_t>(element_index(*array, steps.back(), change, path));
+      array->replace(array->begin() + at, std::forward<decltype(node)>(node));
     } else if (parent->is_table() && std::holds_alternative<std::string>(steps.back())) {
       parent->as_table()->insert_or_assign(std::get<std::string>(steps.back()), std::forward<decltype(node)>(node));
     } else {

@@ -4,7 +4,9 @@
 #include <toml++/toml.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,12 +17,18 @@ namespace shatterpave::scene {
 // A step on the way to a value: a key or the name of an element, or its index.
 using KeyStep = std::variant<std::string, std::size_t>;
 
-// The steps of the key `a.b[0].c`. Throws InputError where it is none.
+// The steps of the key `a.b[0].c`, or `a."b"[0].c` with quotes of either kind, as TOML has them; nothing where it is none.
+std::optional<std::vector<KeyStep>> steps_of(std::string_view key);
+// The same of a change. Throws InputError where its key is none.
 std::vector<KeyStep> key_steps(const Override& change);
 
-// The element of an array that a step names: by its index, or by the `name` of a table. `path` is that of the array, for
-// messages. Throws InputError where there is none.
-toml::node& element_of(toml::array& array, const KeyStep& step, const Override& change, const std::string& path);
+// The index of the element of an array that a step names: by that, or by the `name` of a table. `path` is that of the array,
+// for messages. Throws InputError where there is none; `meant`, where it is not empty, is suggested if no name is near.
+std::size_t element_index(const toml::array& array, const KeyStep& step, const Override& change, const std::string& path,
+                          const std::string& meant = {});
+
+// Throws InputError: the key goes on after `path`, which leads to `what`.
+[[noreturn]] void refuse_way(const Override& change, const std::string& path, std::string_view what);
 
 // The steps up to that one, as they were written.
 std::string path_of(const std::vector<KeyStep>& steps, std::size_t count);
@@ -28,8 +36,8 @@ std::string path_of(const std::vector<KeyStep>& steps, std::size_t count);
 // A table `{value = …}` of the value, with the override as its source.
 toml::table parsed_value(const Override& change);
 
-// Sets the value in `scene`, before anything is validated. Tables that are missing on the way are made; elements of arrays
-// are not. Throws InputError where the key leads nowhere.
+// Sets the value in `scene`, whatever keys a scene has (scene/schema/known_path.h). Tables that are missing on the way are
+// made; elements of arrays are not. Throws InputError where the key leads nowhere.
 void apply(const Override& change, toml::table& scene);
 
 // Adds the value of `change`, an inline table, to the array of tables that is its key, which is made where it is missing.

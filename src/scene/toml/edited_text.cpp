@@ -311,7 +311,7 @@ std::string edited_once(std::string_view given, toml::table& root, const Overrid
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const auto* key = std::get_if<std::string>(&steps[i]);
     if (toml::array* array = node->as_array()) {
-      node = &element_of(*array, steps[i], change, path_of(steps, i));
+      node = &(*array)[element_index(*array, steps[i], change, path_of(steps, i))];
       if (node->is_table()) way.push_back({node->as_table(), way.back().keys});
     } else if (toml::table* table = node->as_table(); table != nullptr && key != nullptr && table->contains(*key)) {
       node = table->get(*key);
@@ -340,7 +340,7 @@ const toml::node* value_at(toml::table& root, const Override& asked) {
     const auto* key = std::get_if<std::string>(&steps[i]);
     if (toml::array* array = node->as_array()) {
       try {
-        node = &element_of(*array, steps[i], asked, path_of(steps, i));
+        node = &(*array)[element_index(*array, steps[i], asked, path_of(steps, i))];
       } catch (const InputError&) {
         return nullptr;
       }

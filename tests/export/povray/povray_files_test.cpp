@@ -135,6 +135,8 @@ TEST(PovrayFiles, HeaderNamesWhatSheetsDeclare) {
   const std::string& text = file_named(files, "window.inc").content;
   EXPECT_NE(text.find("#declare window_Cracks_0 =\nunion {"), std::string::npos);
   EXPECT_NE(text.find("mesh2 {"), std::string::npos);
+  EXPECT_NE(text.find("Shatterpave_Gap_Faces("), std::string::npos);
+  EXPECT_EQ(text.find("face_indices"), std::string::npos);
   EXPECT_EQ(text.find("cylinder {"), std::string::npos);
   EXPECT_NE(text.substr(0, text.find("#ifndef")).find("window_Cracks_0"), std::string::npos);
 }

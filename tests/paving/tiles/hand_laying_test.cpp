@@ -8,6 +8,7 @@
 #include "geometry/region_index.h"
 #include "measure/hand_figures.h"
 #include "paving/bonds/bond.h"
+#include "paving/bonds/border.h"
 #include "paving/bonds/table.h"
 #include "paving/catalogue/hand_presets.h"
 #include "paving/laying.h"
@@ -15,6 +16,7 @@
 #include "paving/paved_areas.h"
 #include "paving/tiles/hand_setting.h"
 #include "paving/tiles/hand_stones.h"
+#include "paving/tiles/stock.h"
 #include "scene/plans/plan_areas.h"
 #include "support/shared_data.h"
 
@@ -42,6 +44,29 @@ TEST(HandLaying, NeverLetsStonesTouchOrLeaveTheArea) {
       EXPECT_EQ(faults(paved, layout).total(), 0U) << std::string_view(type->name) << " " << seed;
     }
   }
+}
+
+// What was joined of small pieces, too, in spite of the joint that it moves into.
+TEST(HandLaying, EveryStoneFitsItsStock) {
+  std::uint64_t seed = 1;
+  std::size_t stones = 0;
+  for (const BondType* type : bond_types()) {
+    if (!type->is_for_scenes) continue;
+    for (const Direction& direction : {straight(20), Direction(BoundaryDirection{})}) {
+      Pavement paved = by_hand(*type, 0.2, direction);
+      paved.joint_mm = 30;
+      if (seed % 2 == 0) paved.border.course = BorderCourse::soldier;
+      const vec2 border = border_stone_mm(paved);
+      const Stock of_border = hand_stock({border, border.x * border.y, {}, {1.0, 0.0}}, paved.joint_mm, paved.hand.amount);
+      for (const Stone& stone : laid_stones(paved, ++seed).stones) {
+        const Stock its = stone.part == StonePart::border ? of_border : stock(paved);
+        EXPECT_TRUE(fits(stone.outline_mm, stone.angle.direction(), its))
+            << std::string_view(type->name) << " " << seed << " " << stone.id;
+        ++stones;
+      }
+    }
+  }
+  EXPECT_GT(stones, 2000U);
 }
 
 // The same tiles without a joint of their own: what moves there meets.

@@ -50,6 +50,20 @@ awk '{ exit !($7 == "|" && $8 <= 3 && $6 >= $2 - 1 && $6 <= $2 + 1 && $4 <= $1 &
 run trace photo.ppm -o again --pane-mm 300,300 --threads 1 >/dev/null
 cmp -s traced/photo.json again/photo.json || fail "another number of threads gives another file"
 
+# Photographs that were cut off are refused, though their readers make up the rest; what is drawn out, or beyond the picture, is told.
+povray +I"$tests/photograph.pov" +L. +W320 +H320 +FJ +Owhole.jpg -D Declare=Ground=1 >povray.log 2>&1 || { tail -5 povray.log; exit 1; }
+run trace whole.jpg -o whole --pane-mm 300,300 >/dev/null 2>message || fail "whole.jpg: $(<message)"
+[[ ! -s message ]] || fail "whole.jpg: $(<message)"
+head -c "$(($(stat -c %s whole.jpg) / 2))" whole.jpg >cut.jpg
+status=0
+run trace cut.jpg -o cut --pane-mm 300,300 >/dev/null 2>message || status=$?
+[[ $status == 2 && $(<message) == "cut.jpg: expected a photograph that can be read to its end, got JPEG error: Premature end"* ]] ||
+  fail "cut.jpg: $status $(<message)"
+run trace whole.jpg -o drawn_out --pane-mm 400,300 >/dev/null 2>message || fail "drawn out: $(<message)"
+grep -q '^note: whole.jpg: 320 x 320 px are taken for a pane of 400 x 300 mm, drawn out by 1.33 to 1' message || fail "drawn out: $(<message)"
+run trace whole.jpg -o beyond --pane-mm 300,300 --corners 0,0 330,0 320,320 0,320 >/dev/null 2>message || fail "beyond: $(<message)"
+grep -q '^note: whole.jpg: the corner 330,0 lies outside of the picture of 320 x 320 px' message || fail "beyond: $(<message)"
+
 # Lines as our own: the same pane by its geometry and by its drawing.
 run measure scene.json -o of_json >/dev/null
 run export scene.toml -o . --target svg >/dev/null

@@ -73,6 +73,10 @@ for quantity in reaching_count ring_count; do
   two=$(grep ",$quantity," of_svg/scene-window-figures.csv | cut -d, -f3)
   [[ -n $one && $one == "$two" ]] || fail "$quantity: $one by its geometry, $two by its drawing"
 done
+# Seeds do not make more panes of one.
+run measure scene.json -o of_seeds --seeds 5 --radials 24..90 >/dev/null 2>message || fail "seeds beside lines: $(<message)"
+[[ $(<message) == "note: scene.json: --seeds and --radials have no effect on lines from a file" ]] || fail "seeds beside lines: $(<message)"
+cmp -s of_json/scene-measures.csv of_seeds/scene-measures.csv || fail "seeds beside lines change what is measured"
 [[ $(wc -l <of_json/paper-table1.csv) == 20 ]] || fail "paper-table1.csv has not nineteen panes"
 
 # Cracks of a file, by targets.

@@ -204,9 +204,11 @@ class DirectionReader {
     const auto missing = std::ranges::find(taken, false);
     if (missing == taken.end()) return;
     const auto place = static_cast<std::size_t>(missing - taken.begin());
+    const std::size_t row = place / grid.columns;
+    const std::size_t column = place % grid.columns;
+    const vec2 at = grid.origin_mm + grid.pitch_mm * vec2{static_cast<double>(column), static_cast<double>(row)};
     refuse("", fmt::format("a vector at each of {} x {} places, {:.6g} mm apart", grid.columns, down, grid.pitch_mm),
-           fmt::format("none at ({:.6g}, {:.6g})", grid.origin_mm.x + static_cast<double>(place % grid.columns) * grid.pitch_mm,
-                       grid.origin_mm.y + static_cast<double>(place / grid.columns) * grid.pitch_mm));
+           fmt::format("none at ({:.6g}, {:.6g})", at.x, at.y));
   }
 
   std::string file_;

@@ -173,8 +173,9 @@ class HandSetting {
   // on itself, so the point alone does not tell the place.
   std::optional<Start> start_on(std::uint32_t line, std::uint32_t from, std::uint32_t next) const {
     const auto& points = map_.lines[line].points;
-    const auto places = std::ranges::equal_range(numbers_[line], from, {}, &std::pair<std::uint32_t, std::size_t>::first);
-    for (const auto& [point, index] : places) {
+    auto place = std::ranges::lower_bound(numbers_[line], from, {}, &std::pair<std::uint32_t, std::size_t>::first);
+    for (; place != numbers_[line].end() && place->first == from; ++place) {
+      const std::size_t index = place->second;
       if (index + 1 < points.size() && points[index + 1] == next) return Start{index, true};
       if (index > 0 && points[index - 1] == next) return Start{index, false};
     }

@@ -76,6 +76,13 @@ void run(const cli::Measure& job, char** /*argv*/) {
   if (of_lines && !job.overrides.empty()) {
     throw InputError(Place{job.scene.string(), 0, 0, ""}, "expected no --set and no --seed beside lines from a file, got one");
   }
+  pipeline::MeasureOptions options = job.options;
+  if (of_lines && (options.seeds != 1 || options.sweep)) {
+    // Its panes are what they are: broken anew they would count as others, each the same.
+    cli::tell(fmt::format("note: {}: --seeds and --radials have no effect on lines from a file\n", job.scene.string()));
+    options.seeds = 1;
+    options.sweep.reset();
+  }
   const scene::Scene scene = of_lines ? pipeline::scene_of_lines(job.scene) : scene::scene_of_file(job.scene, job.overrides);
   pipeline::require_possible(scene);
   cli::tell(scene.notes);
@@ -84,7 +91,7 @@ void run(const cli::Measure& job, char** /*argv*/) {
   std::vector<exporting::OutputFile> files;
   {
     cli::ProgressBar bar;
-    files = reporting::measures_files(pipeline::surveyed(scene, job.options, bar.progress()));
+    files = reporting::measures_files(pipeline::surveyed(scene, options, bar.progress()));
   }
   if (of_lines) {
     files.push_back(reporting::figures_csv(scene.name, scene.panes));

@@ -44,6 +44,28 @@ trace::Trace traced_at(const std::filesystem::path& file, const trace::Grey& gre
   }
 }
 
+// What may be a slip of the user's, and would change figures without a word.
+void tell_doubts(const std::filesystem::path& file, const relief::Photograph& photograph, const trace::Options& options) {
+  const vec2 size_px{photograph.width, photograph.height};
+  constexpr double stretched = 1.05;  // by eye: panes are cropped so far off
+  if (options.pane_mm && !options.corners_px) {
+    const vec2 pixel_mm = *options.pane_mm / size_px;
+    const double ratio = std::max(pixel_mm.x / pixel_mm.y, pixel_mm.y / pixel_mm.x);
+    if (ratio > stretched) {
+      tell(
+          fmt::format("note: {}: {} x {} px are taken for a pane of {} x {} mm, drawn out by {:.2f} to 1 (give --corners where "
+                      "the pane is a part of the picture)\n",
+                      file.string(), photograph.width, photograph.height, options.pane_mm->x, options.pane_mm->y, ratio));
+    }
+  }
+  if (!options.corners_px) return;
+  for (const vec2& corner : *options.corners_px) {
+    if (corner.x >= 0.0 && corner.y >= 0.0 && corner.x <= size_px.x && corner.y <= size_px.y) continue;
+    tell(fmt::format("note: {}: the corner {},{} lies outside of the picture of {} x {} px: no crack is seen there\n",
+                     file.string(), corner.x, corner.y, photograph.width, photograph.height));
+  }
+}
+
 }  // namespace
 
 void run_with_rasters(const Trace& job, char** /*argv*/) {
@@ -68,6 +90,7 @@ void run_with_rasters(const Trace& job, char** /*argv*/) {
       trace::Grey grey(photograph.width, photograph.height);
       grey.values = relief::grey_levels(photograph);
       panes.push_back({name_of(file, names), traced_at(file, grey, job.options), photograph.width, photograph.height});
+      tell_doubts(file, photograph, job.options);
       const reporting::TracedPane& pane = panes.back();
       if (pane.trace.size_was_assumed) {
         tell(fmt::format("note: {}: the pane's longer side is taken for 300 mm (give --pane-mm or --mm-per-px)\n",

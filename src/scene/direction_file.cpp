@@ -91,6 +91,9 @@ class DirectionReader {
   }
 
   GridDirection of_csv(std::string_view text) const {
+    // Spreadsheets begin what they save as UTF-8 by a byte order mark.
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
     std::vector<std::array<double, 4>> rows;
     std::vector<int> lines;
     int line = 0;
@@ -131,40 +134,81 @@ class DirectionReader {
 
   GridDirection on_grid(const std::vector<std::array<double, 4>>& rows, const std::vector<int>& lines) const {
     if (rows.size() < 4) refuse("", "four vectors or more", fmt::format("{}", rows.size()));
-    GridDirection grid;
-    vec2 low{rows[0][0], rows[0][1]};
-    vec2 high = low;
-    for (const auto& row : rows) {
-      low = glm::min(low, vec2{row[0], row[1]});
-      high = glm::max(high, vec2{row[0], row[1]});
+    const Axis across = axis_of(rows, 0);
+    const Axis up = axis_of(rows, 1);
+    if (across.places < 2 || up.places < 2) refuse("", "two or more rows and columns", "vectors on a line");
+    if (std::abs(across.pitch_mm - up.pitch_mm) > off_grid * across.pitch_mm) {
+      refuse("", "a square grid",
+             fmt::format("places {:.6g} mm apart along x and {:.6g} mm along y", across.pitch_mm, up.pitch_mm));
     }
-    // Of n columns and m rows, (n − 1) p = width, (m − 1) p = height and n m vectors.
-    const vec2 size = high - low;
-    const auto count = static_cast<double>(rows.size());
-    const double sum = size.x + size.y;
-    const double pitch = size.x > 0.0 && size.y > 0.0
-                             ? (sum + std::sqrt(sum * sum + 4.0 * (count - 1.0) * size.x * size.y)) / (2.0 * (count - 1.0))
-                             : 0.0;
-    if (pitch < least_pitch_mm) refuse("", "two or more rows and columns", "vectors on a line");
-    grid.origin_mm = low;
-    grid.pitch_mm = pitch;
-    grid.columns = static_cast<std::size_t>(std::lround(size.x / pitch)) + 1;
-    const std::size_t down = rows.size() / grid.columns;
-    grid.vectors.assign(rows.size(), vec2{0.0, 0.0});
-    std::vector<bool> taken(rows.size(), false);
+    GridDirection grid;
+    grid.origin_mm = {across.low_mm, up.low_mm};
+    grid.pitch_mm = across.pitch_mm;
+    if (grid.pitch_mm < least_pitch_mm) {
+      refuse("", fmt::format("places {} mm apart or more", least_pitch_mm), fmt::format("{:.6g} mm", grid.pitch_mm));
+    }
+    if (static_cast<double>(across.places) * static_cast<double>(up.places) > static_cast<double>(most_vectors)) {
+      refuse("", fmt::format("a grid of at most {} places", most_vectors), fmt::format("{} x {}", across.places, up.places));
+    }
+    grid.columns = across.places;
+    put_vectors(rows, lines, grid, up.places);
+    return grid;
+  }
+
+  // The places of the grid along x or y.
+  struct Axis {
+    double low_mm = 0.0;
+    double pitch_mm = 0.0;
+    std::size_t places = 0;
+  };
+
+  // They are as far apart as most neighbours among the coordinates there are: some places may have no vector.
+  static Axis axis_of(const std::vector<std::array<double, 4>>& rows, std::size_t axis) {
+    std::vector<double> coordinates;
+    coordinates.reserve(rows.size());
+    for (const auto& row : rows) coordinates.push_back(row.at(axis));
+    std::ranges::sort(coordinates);
+    const double size = coordinates.back() - coordinates.front();
+    // Nearer ones are one place, which decimals round.
+    const double same = std::max(off_grid * least_pitch_mm, 1e-9 * size);
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < coordinates.size(); ++i) {
+      const double step = coordinates[i] - coordinates[i - 1];
+      if (step > same) steps.push_back(step);
+    }
+    if (steps.empty()) return {coordinates.front(), 0.0, 1};
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::ranges::nth_element(steps, middle);
+    const double count = std::max(1.0, std::round(size / *middle));
+    const double most = static_cast<double>(most_vectors);
+    return {coordinates.front(), size / count, static_cast<std::size_t>(std::min(count, most)) + 1};
+  }
+
+  void put_vectors(const std::vector<std::array<double, 4>>& rows, const std::vector<int>& lines, GridDirection& grid,
+                   std::size_t down) const {
+    grid.vectors.assign(grid.columns * down, vec2{0.0, 0.0});
+    std::vector<bool> taken(grid.vectors.size(), false);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const vec2 at = (vec2{rows[i][0], rows[i][1]} - low) / pitch;
+      const auto got = [&] { return fmt::format("({}, {})", rows[i][0], rows[i][1]); };
+      const vec2 at = (vec2{rows[i][0], rows[i][1]} - grid.origin_mm) / grid.pitch_mm;
       const vec2 whole = glm::round(at);
-      const auto place = static_cast<std::size_t>(whole.y) * grid.columns + static_cast<std::size_t>(whole.x);
-      const bool is_on = std::abs(at.x - whole.x) <= off_grid && std::abs(at.y - whole.y) <= off_grid;
-      if (!is_on || down * grid.columns != rows.size() || place >= rows.size() || taken[place]) {
-        refuse("", fmt::format("each point of a square grid of {:.6g} mm once", pitch),
-               fmt::format("({}, {})", rows[i][0], rows[i][1]), lines[i]);
+      if (std::abs(at.x - whole.x) > off_grid || std::abs(at.y - whole.y) > off_grid) {
+        refuse("", fmt::format("a place of a square grid of {:.6g} mm", grid.pitch_mm), got(), lines[i]);
       }
+      const auto place = static_cast<std::size_t>(whole.y) * grid.columns + static_cast<std::size_t>(whole.x);
+      if (place >= taken.size()) refuse("", "a place of the grid", got(), lines[i]);
+      if (taken[place]) refuse("", "each place of the grid once", got() + " again", lines[i]);
       taken[place] = true;
       grid.vectors[place] = {rows[i][2], rows[i][3]};
     }
-    return grid;
+    const auto missing = std::ranges::find(taken, false);
+    if (missing == taken.end()) return;
+    const auto place = static_cast<std::size_t>(missing - taken.begin());
+    const std::size_t row = place / grid.columns;
+    const std::size_t column = place % grid.columns;
+    const vec2 at = grid.origin_mm + grid.pitch_mm * vec2{static_cast<double>(column), static_cast<double>(row)};
+    refuse("", fmt::format("a vector at each of {} x {} places, {:.6g} mm apart", grid.columns, down, grid.pitch_mm),
+           fmt::format("none at ({:.6g}, {:.6g})", at.x, at.y));
   }
 
   std::string file_;

@@ -50,6 +50,12 @@ TEST_F(DirectionFiles, JsonAndCsvSayTheSame) {
   EXPECT_EQ(csv.grid.origin_mm, json.grid.origin_mm);
   EXPECT_NEAR(csv.grid.pitch_mm, 500.0, 1e-9);
   EXPECT_NE(csv.sum, json.sum);
+  // As spreadsheets save it, with decimals that are rounded.
+  const auto saved = read("b.csv",
+                          "\xEF\xBB\xBFx_mm,y_mm,u,v\r\n0,0,1,0\r\n333.3333,0,1,0\r\n666.6667,0,1,0\r\n0,333.3333,1,0\r\n"
+                          "333.3333,333.3333,1,0\r\n666.6667,333.3333,0,1\r\n");
+  EXPECT_EQ(saved.grid.columns, 3U);
+  EXPECT_EQ(saved.grid.vectors.back(), (vec2{0, 1}));
 }
 
 TEST_F(DirectionFiles, RefusesWhatIsNoField) {
@@ -64,6 +70,14 @@ TEST_F(DirectionFiles, RefusesWhatIsNoField) {
   EXPECT_TRUE(says(refusal("a.csv", "x,y,u,v\n"), "a.csv:1:1"));
   EXPECT_TRUE(says(refusal("a.csv", "x_mm,y_mm,u,v\n0,0,1,0\n1,0,nan,0\n"), "a.csv:3:1"));
   EXPECT_TRUE(says(refusal("a.csv", "x_mm,y_mm,u,v\n0,0,1,0\n9,0,1,0\n0,9,1,0\n7,9,1,0\n"), "square grid"));
+  // What is wrong is named, not a pitch that follows from it.
+  const std::string square = "x_mm,y_mm,u,v\n0,0,1,0\n500,0,1,0\n0,500,1,0\n";
+  EXPECT_TRUE(says(refusal("a.csv", square + "500,500,1,0\n500,500,0,1\n"),
+                   "a.csv:6:1: expected each place of the grid once, got (500, 500) again"));
+  EXPECT_TRUE(says(refusal("a.csv", "x_mm,y_mm,u,v\n0,0,1,0\n500,0,1,0\n0,300,1,0\n500,300,1,0\n"),
+                   "expected a square grid, got places 500 mm apart along x and 300 mm along y"));
+  EXPECT_TRUE(says(refusal("a.csv", square + "1000,0,1,0\n1000,500,1,0\n"),
+                   "expected a vector at each of 3 x 2 places, 500 mm apart, got none at (500, 500)"));
   EXPECT_TRUE(says(refusal("a.csv", "x_mm,y_mm,u,v\n0,0,1,0\n9,0,1,0\n0,9,1,0\n0,9,1,0\n"), "a.csv:5:1"));
   EXPECT_TRUE(says(refusal("a.txt", ""), ".json or .csv"));
 }

@@ -127,5 +127,19 @@ document, model = drawing()
 model.add_line((0, 0), (5, 0))
 save("open", document, "", None)
 
+# Clockwise outlines that end in an arc, whose last point is rounded when it becomes lines: also far out.
+for name, places in (("clockwise_arcs", [(0, 0), (20, 0)]), ("clockwise_arcs_far_out", [(380020.3, 5820000.7)])):
+    document, model = drawing()
+    areas = []
+    for x, y in places:
+        bulge = -math.tan(math.pi / 8)
+        corners = [(x, y + 1, 0), (x, y + 3, bulge), (x + 1, y + 4, 0), (x + 5, y + 4, 0), (x + 5, y, 0), (x + 1, y, bulge)]
+        model.add_lwpolyline(corners, format="xyb", close=True)
+        areas.append(20 - 2 * (1 - math.pi / 4))
+    save(name, document, 'outline_class = "0"', areas)
+document, model = drawing()
+model.add_lwpolyline([(0, 0, -1), (2, 0, -1)], format="xyb", close=True)
+save("clockwise_circle", document, "", [math.pi])
+
 with open(f"{folder}/expected.json", "w", encoding="utf-8") as file:
     json.dump(expected, file)

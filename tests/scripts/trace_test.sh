@@ -31,7 +31,7 @@ radial_count = 40
 EOF
 shatterpave export scene.toml -o . --target povray --target json >/dev/null
 povray +I"$tests/photograph.pov" +L. +W640 +H640 +A0.3 +R2 +FP +Ophoto.ppm -D Declare=Ground=1 >povray.log 2>&1 ||
-  fail "POV-Ray: $(tail -n 5 povray.log)"
+  fault "POV-Ray: $(tail -n 5 povray.log)"
 shatterpave trace photo.ppm -o traced --pane-mm 300,300 >told
 [[ $(<told) == "$(printf 'traced/photo.json\ntraced/photo-traced.png\ntraced/photo.csv\ntraced/photo-trace.html')" ]] || fault "trace told $(<told)"
 judged=$(/usr/bin/python3 "$tests/judge_trace.py" scene.json traced/photo.json 640 640 photo.ppm)
@@ -40,6 +40,20 @@ awk '{ exit !($7 == "|" && $8 <= 3 && $6 >= $2 - 1 && $6 <= $2 + 1 && $4 <= $1 &
   fault "traced: $judged"
 shatterpave trace photo.ppm -o again --pane-mm 300,300 --threads 1 >/dev/null
 cmp -s traced/photo.json again/photo.json || fault "another number of threads gives another file"
+
+# Photographs that were cut off are refused, though their readers make up the rest; what is drawn out, or beyond the picture, is told.
+povray +I"$tests/photograph.pov" +L. +W320 +H320 +FJ +Owhole.jpg -D Declare=Ground=1 >povray.log 2>&1 || { tail -5 povray.log; exit 1; }
+shatterpave trace whole.jpg -o whole --pane-mm 300,300 >/dev/null 2>message || fault "whole.jpg: $(<message)"
+[[ ! -s message ]] || fault "whole.jpg: $(<message)"
+head -c "$(($(stat -c %s whole.jpg) / 2))" whole.jpg >cut.jpg
+status=0
+shatterpave trace cut.jpg -o cut --pane-mm 300,300 >/dev/null 2>message || status=$?
+[[ $status == 2 && $(<message) == "cut.jpg: expected a photograph that can be read to its end, got JPEG error: Premature end"* ]] ||
+  fault "cut.jpg: $status $(<message)"
+shatterpave trace whole.jpg -o drawn_out --pane-mm 400,300 >/dev/null 2>message || fault "drawn out: $(<message)"
+grep -q '^note: whole.jpg: 320 x 320 px are taken for a pane of 400 x 300 mm, drawn out by 1.33 to 1' message || fault "drawn out: $(<message)"
+shatterpave trace whole.jpg -o beyond --pane-mm 300,300 --corners 0,0 330,0 320,320 0,320 >/dev/null 2>message || fault "beyond: $(<message)"
+grep -q '^note: whole.jpg: the corner 330,0 lies outside of the picture of 320 x 320 px' message || fault "beyond: $(<message)"
 
 # Lines as our own: the same pane by its geometry and by its drawing.
 shatterpave measure scene.json -o of_json >/dev/null
@@ -50,6 +64,10 @@ for quantity in reaching_count ring_count; do
   two=$(grep ",$quantity," of_svg/scene-window-figures.csv | cut -d, -f3)
   [[ -n $one && $one == "$two" ]] || fault "$quantity: $one by its geometry, $two by its drawing"
 done
+# Seeds do not make more panes of one.
+shatterpave measure scene.json -o of_seeds --seeds 5 --radials 24..90 >/dev/null 2>message || fault "seeds beside lines: $(<message)"
+[[ $(<message) == "note: scene.json: --seeds and --radials have no effect on lines from a file" ]] || fault "seeds beside lines: $(<message)"
+cmp -s of_json/scene-measures.csv of_seeds/scene-measures.csv || fault "seeds beside lines change what is measured"
 [[ $(wc -l <of_json/paper-table1.csv) == 20 ]] || fault "paper-table1.csv has not nineteen panes"
 
 # Cracks of a file, by targets.

@@ -163,9 +163,23 @@ class HandSetting {
     }
   }
 
-  std::size_t index_on(std::uint32_t line, std::uint32_t point) const {
-    const auto found = std::ranges::lower_bound(numbers_[line], point, {}, &std::pair<std::uint32_t, std::size_t>::first);
-    return found == numbers_[line].end() || found->first != point ? nowhere : found->second;
+  // A side of a tile on its line: the place there of the point where it begins, and whether the tile goes along the line.
+  struct Start {
+    std::size_t index = 0;
+    bool forwards = true;
+  };
+
+  // Of the side from `from` to `next`, its neighbour on the line. A line may come back to a point where another goes on, or end
+  // on itself, so the point alone does not tell the place.
+  std::optional<Start> start_on(std::uint32_t line, std::uint32_t from, std::uint32_t next) const {
+    const auto& points = map_.lines[line].points;
+    auto place = std::ranges::lower_bound(numbers_[line], from, {}, &std::pair<std::uint32_t, std::size_t>::first);
+    for (; place != numbers_[line].end() && place->first == from; ++place) {
+      const std::size_t index = place->second;
+      if (index + 1 < points.size() && points[index + 1] == next) return Start{index, true};
+      if (index > 0 && points[index - 1] == next) return Start{index, false};
+    }
+    return std::nullopt;
   }
 
   void move_line_points() {
@@ -229,22 +243,29 @@ class HandSetting {
     });
   }
 
-  // Appends what lies on a line between two corners of a tile; false where these have come to lie the other way round.
-  bool append_between(std::uint32_t l, std::uint32_t from, std::uint32_t to, Polygon& outline) const {
-    const std::size_t index_a = index_on(l, from);
-    const std::size_t index_b = index_on(l, to);
-    if (index_a == nowhere || index_b == nowhere) return false;
+  // Appends what lies on a line between the corners `from` and `to` of a tile, numbers of its visits; false where these have
+  // come to lie the other way round.
+  bool append_between(const std::vector<TileMap::Visit>& visits, std::size_t from, std::size_t to, Polygon& outline) const {
+    const std::uint32_t l = visits[from].line;
+    const std::size_t sides = (to + visits.size() - from) % visits.size();
+    const auto start = start_on(l, visits[from].point, visits[(from + 1) % visits.size()].point);
+    if (!start) return false;
+    const auto& [index_a, forwards] = *start;
+    const auto& points = map_.lines[l].points;
+    if (forwards ? index_a + sides >= points.size() : index_a < sides) return false;
+    const std::size_t index_b = forwards ? index_a + sides : index_a - sides;
+    if (points[index_b] != visits[to].point) return false;
     const auto& order = orders_[l];
     const std::size_t a = ranks_[l][index_a];
     const std::size_t b = ranks_[l][index_b];
-    const bool forwards = index_a < index_b;
     if (forwards != (a < b)) return false;
     const std::size_t first = outline.size();
     for (std::size_t i = std::min(a, b) + 1; i < std::max(a, b); ++i) outline.push_back(placed_[order[i]]);
     if (!forwards) std::reverse(outline.begin() + static_cast<std::ptrdiff_t>(first), outline.end());
-    const vec2 d = placed_[to] - placed_[from];
+    const vec2 start_mm = placed_[visits[from].point];
+    const vec2 d = placed_[visits[to].point] - start_mm;
     const bool straight = std::all_of(outline.begin() + static_cast<std::ptrdiff_t>(first), outline.end(), [&](vec2 p) {
-      return std::abs(cross(d, p - placed_[from])) <= straight_chain_mm * glm::length(d);
+      return std::abs(cross(d, p - start_mm)) <= straight_chain_mm * glm::length(d);
     });
     if (straight) outline.resize(first);
     return true;
@@ -258,12 +279,11 @@ class HandSetting {
       found.push_back(visits[i].point);
       const std::uint32_t l = visits[i].line;
       if (map_.lines[l].closed) continue;
-      const std::size_t from = index_on(l, visits[i].point);
-      const std::size_t to = index_on(l, visits[(i + 1) % visits.size()].point);
-      if (from == nowhere || to == nowhere) continue;
+      const auto start = start_on(l, visits[i].point, visits[(i + 1) % visits.size()].point);
+      if (!start) continue;
       const auto& marks = marks_[l];
-      std::size_t first = std::min(from, to);
-      std::size_t last = std::max(from, to);
+      std::size_t first = start->forwards ? start->index : start->index - 1;
+      std::size_t last = first + 1;
       const double low = marks[first].along - farthest_;
       const double high = marks[last].along + farthest_;
       while (first > 0 && marks[first - 1].along >= low) --first;
@@ -296,7 +316,7 @@ class HandSetting {
       if (map_.lines[visits[from].line].closed) {
         // Round a closed line points keep their order.
         for (std::size_t i = from + 1; i % visits.size() != to; ++i) result.push_back(placed_[visits[i % visits.size()].point]);
-      } else if (!append_between(visits[from].line, visits[from].point, visits[to].point, result)) {
+      } else if (!append_between(visits, from, to, result)) {
         return std::nullopt;
       }
     }

@@ -264,7 +264,7 @@ void judge_points(TileMap& map, const SharedSides& sides, const std::vector<Pass
 }
 
 void append_tiles(TileMap& map, const std::vector<Tile>& tiles, const std::vector<PointRing>& rings, const SharedSides& sides,
-                  const std::vector<std::uint32_t>& line_of_side) {
+                  const std::vector<Passage>& passes, const std::vector<std::uint32_t>& line_of_side) {
   constexpr double no_limit = std::numeric_limits<double>::infinity();
   std::vector<double> room(map.lines.size(), no_limit);
   std::vector<double> room_of_cut(map.lines.size(), no_limit);
@@ -277,8 +277,11 @@ void append_tiles(TileMap& map, const std::vector<Tile>& tiles, const std::vecto
     for (std::size_t i = 0; i < n; ++i) {
       const std::uint32_t before = ring[(i + n - 1) % n];
       const std::uint32_t after = ring[(i + 1) % n];
-      const std::uint32_t line = line_of_side[sides.number(ring[i], after)];
-      const bool corner = map.through[ring[i]] == TileMap::none || line_of_side[sides.number(before, ring[i])] != line;
+      const std::size_t onward = sides.number(ring[i], after);
+      const std::uint32_t line = line_of_side[onward];
+      // Both sides may be of one line, and yet meet in a corner: where a line ends on itself, or comes back to where it began.
+      const Passage way{sides.number(before, ring[i]), onward};
+      const bool corner = passes[ring[i]] != way && passes[ring[i]] != Passage{way.second, way.first};
       map.tiles[t].push_back({ring[i], line, corner});
       map.room_mm[ring[i]] = std::min({map.room_mm[ring[i]], size.x, size.y});
       const vec2 d = map.points[after] - map.points[ring[i]];
@@ -301,7 +304,7 @@ TileMap tile_map(const std::vector<Tile>& tiles) {
   const std::vector<Passage> passes = passages(rings, sides, map.points.size());
   const std::vector<std::uint32_t> line_of_side = lay_lines(map, sides, passes);
   judge_points(map, sides, passes, line_of_side);
-  append_tiles(map, tiles, rings, sides, line_of_side);
+  append_tiles(map, tiles, rings, sides, passes, line_of_side);
   return map;
 }
 

@@ -141,6 +141,10 @@ class Drawing {
   OGRLayerH layer_ = nullptr;
 };
 
+// Ends of lines meet within this, or where no units are told within this part of the drawing.
+constexpr double ends_meet_m = 1e-4;
+constexpr double whole_part = 1e-5;
+
 class EntityReader {
  public:
   explicit EntityReader(Plan& plan) : plan_(plan), gdal_(gdal_library()) {}
@@ -234,10 +238,22 @@ class EntityReader {
     }
   }
 
+  // Whether the line ends where it starts: where it ends in an arc, that is rounded.
+  bool comes_back(const std::vector<vec2>& points) const {
+    geometry::Box box{points.front(), points.front()};
+    for (const vec2& p : points) box = {glm::min(box.low, p), glm::max(box.high, p)};
+    // Of a line so small that its ends are near each other anyhow, less.
+    constexpr double part = 1e-3;
+    const double size = glm::length(box.high - box.low);
+    const double tolerance = plan_.units ? std::min(ends_meet_m / plan_.units->size, part * size) : whole_part * size;
+    return glm::distance(points.front(), points.back()) <= tolerance;
+  }
+
   void add_line(Ring line) {
     if (line.points_mm.size() < 2) return;
-    const bool closed = line.points_mm.size() > 3 && line.points_mm.front() == line.points_mm.back();
+    const bool closed = line.points_mm.size() > 3 && comes_back(line.points_mm);
     if (closed) {
+      line.points_mm.back() = line.points_mm.front();
       plan_.shapes.push_back(shape_of(ShapeKind::area, {line}));
     } else {
       pieces_.push_back({plan_.features[feature_].group, plan_.shapes.size(), std::nullopt});
@@ -259,8 +275,7 @@ class EntityReader {
 
 // Within which ends of lines meet: a tenth of a millimetre, or where no units are told 1 / 100,000 of the drawing.
 double join_tolerance(const Plan& plan) {
-  constexpr double tolerance_m = 1e-4;
-  if (plan.units) return tolerance_m / plan.units->size;
+  if (plan.units) return ends_meet_m / plan.units->size;
   std::optional<geometry::Box> box;
   for (const PlanShape& shape : plan.shapes) {
     for (const Ring& ring : shape.rings) {
@@ -270,8 +285,7 @@ double join_tolerance(const Plan& plan) {
   }
   if (!box) return 1.0;
   const vec2 size = box->high - box->low;
-  constexpr double part = 1e-5;
-  return std::max({part * size.x, part * size.y, std::numeric_limits<double>::min()});
+  return std::max({whole_part * size.x, whole_part * size.y, std::numeric_limits<double>::min()});
 }
 
 }  // namespace

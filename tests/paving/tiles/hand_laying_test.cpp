@@ -69,6 +69,18 @@ TEST(HandLaying, EveryStoneFitsItsStock) {
   EXPECT_GT(stones, 2000U);
 }
 
+// A ring about a place within is a line that comes back to where it began, at a point where a perpend goes on.
+TEST(HandLaying, NeverLetsStonesTouchAboutACentreWithin) {
+  for (const Bond bond : {Bond::stack, Bond::running}) {
+    for (const vec2 centre : {vec2{500, 500}, vec2{900, 700}, vec2{1300, 450}}) {
+      const Pavement paved = by_hand(type_of(bond), 1.0, RadialDirection{centre, 0.0});
+      for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        EXPECT_EQ(faults(paved, laid_stones(paved, seed)).total(), 0U) << centre.x << " " << centre.y << " " << seed;
+      }
+    }
+  }
+}
+
 // The same tiles without a joint of their own: what moves there meets.
 TEST(HandLaying, TwinWithoutRoomOverlaps) {
   Pavement paved = by_hand(type_of(Bond::running), 1.0, straight(20));

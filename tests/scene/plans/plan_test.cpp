@@ -282,11 +282,36 @@ TEST(Svg, ErrorsNameTheElement) {
   EXPECT_EQ(error(deep), "a.svg:2:302: g: expected at most 100 groups in groups, got more");
 }
 
-TEST(Svg, DoesNotLoadOrExpandEntities) {
-  const std::string text =
-      "<!DOCTYPE svg [<!ENTITY a SYSTEM \"file:///etc/passwd\"><!ENTITY b \"10\">]>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\"><rect width=\"&b;\" height=\"&a;\"/></svg>";
-  EXPECT_EQ(message_of([&] { plan_of_svg(text, "a.svg"); }), "a.svg:2:42: rect: expected a number, got \"&b;\"");
+std::string svg_with_entities(const std::string& declared, const std::string& body) {
+  return "<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.0//EN\" \"svg10.dtd\" [<!-- <!ENTITY st1 \"x\"> -->" + declared +
+         "]>\n<svg xmlns=\"&ns_svg;\" width=\"9mm\" height=\"9mm\" viewBox=\"0 0 9 9\">" + body + "</svg>";
+}
+
+// As Illustrator writes its styles.
+TEST(Svg, ReadsEntitiesOfItsOwn) {
+  const std::string declared =
+      R"(<!ENTITY ns_svg "http://www.w3.org/2000/svg"><!ENTITY st1 'fill-rule:evenodd;'><!ENTITY st1 "fill-rule:nonzero;">)";
+  const std::string path = R"(<path style="&st1;fill:#999" d="M0 0h9v9h-9z M1 1h7v7h-7z"/>)";
+  const Plan plan = plan_of_svg(svg_with_entities(declared, "<title>A &amp; &other;</title>" + path), "a.svg");
+  const std::vector<Region> areas = areas_wanted(plan, {});
+  ASSERT_EQ(areas.size(), 1U);
+  ASSERT_EQ(areas[0].holes.size(), 1U);
+  EXPECT_EQ(geometry::bounding_box(areas[0].holes[0]).low, (vec2{1, 1}));
+}
+
+TEST(Svg, DoesNotLoadEntitiesOrLetThemGrow) {
+  const auto message = [](const std::string& declared, const std::string& body) {
+    return message_of([&] { plan_of_svg(svg_with_entities(declared, body), "a.svg"); });
+  };
+  EXPECT_EQ(message(R"(<!ENTITY a SYSTEM "file:///etc/passwd">)", R"(<rect width="9" height="&a;"/>)"),
+            "a.svg:2:67: rect: expected entities of plain text, got \"&a;\"");
+  EXPECT_EQ(message(R"(<!ENTITY b "9"><!ENTITY a "&b;&b;">)", R"(<rect width="9" height="&a;"/>)"),
+            "a.svg:2:67: rect: expected entities of plain text, got \"&a;\"");
+  EXPECT_EQ(message(R"(<!ENTITY a "<rect/>">)", "<g>&a;</g>"), "a.svg:2:67: g: expected entities of plain text, got \"&a;\"");
+  std::string many = "<rect id=\"";
+  for (int i = 0; i < 400; ++i) many += "&a;";
+  EXPECT_EQ(message("<!ENTITY a \"" + std::string(100'000, '9') + "\">", many + "\"/>"),
+            "a.svg:2:67: rect: expected at most 32 MiB of text of entities, got more");
 }
 
 Polygon rectangle(vec2 low, vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }

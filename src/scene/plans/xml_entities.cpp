@@ -114,13 +114,13 @@ class Expander {
       result += entity.is_plain ? std::string_view(entity.text) : value.substr(0, end + 1);
       value.remove_prefix(end + 1);
       any = true;
+      if (total_ + result.size() > largest_outline_bytes) {
+        refuse(node, fmt::format("expected at most {} MiB of text of entities, got more", largest_outline_bytes >> 20U));
+      }
     }
     if (!any) return std::nullopt;
     result += value;
     total_ += result.size();
-    if (total_ > largest_outline_bytes) {
-      refuse(node, fmt::format("expected at most {} MiB of text of entities, got more", largest_outline_bytes >> 20U));
-    }
     return result;
   }
 

@@ -298,7 +298,9 @@ def judged(layout):
     if "measured_bare_mm" in layout:
         diameter, _ = widest_disc(bare(area, stones, layout, 1.0), 16)
         off = abs(diameter / UM - layout["measured_bare_mm"])
-        if off > MEASURED_MM + 0.002 * diameter / UM:  # a quarter of a circle as 16 sides
+        # Past the limit of mitres the two libraries end corners each in its own way; laid by hand, stones have such corners.
+        corners = 0.1 * layout["joint_mm"] if hand_room(layout) > 0.0 else 0.0
+        if off > MEASURED_MM + corners + 0.002 * diameter / UM:  # a quarter of a circle as 16 sides
             faults["measured"] = off
     return faults, notes
 

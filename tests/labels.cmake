@@ -23,6 +23,8 @@ string(JOIN "|" shatterpave_slow_tests
   "^StoneSurface[.](Split|Covers)"
   # measure
   "^(BareSpot|PavementMeasures|StoneStock)[.]"
+  # relief
+  "^OutOfFocus[.]"
   # scene
   "^Fuzz[.]" "^EnvironmentFile[.]TooLarge" "^GeoJsonFile[.]Crs" "^Svg[.]UseCannot" "^ReferenceSystem[.]"
   # the command, and the library as a whole

@@ -11,7 +11,7 @@
 
 #include "export/model.h"
 #include "pipeline/frame_sidecar.h"
-#include "pipeline/render.h"
+#include "pipeline/render_options.h"
 #include "scene/override.h"
 
 namespace shatterpave::pipeline {

@@ -12,11 +12,6 @@ namespace shatterpave::pipeline {
 
 namespace fs = std::filesystem;
 
-PictureSize size_of(const RenderOptions& options) {
-  const bool final = options.quality == Quality::final;
-  return {options.width > 0 ? options.width : final ? 1200 : 640, options.height > 0 ? options.height : final ? 900 : 480};
-}
-
 PovrayStill povray_still(const exporting::Model& model) {
   PovrayStill still{model.name, exporting::povray::povray_files(model)};
   const auto is_still = [&](const exporting::OutputFile& file) { return file.name == model.name + ".pov"; };

@@ -4,33 +4,15 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/cancel.h"
 #include "core/progress.h"
 #include "export/model.h"
+#include "pipeline/render_options.h"
 #include "pipeline/write.h"
 
 namespace shatterpave::pipeline {
-
-enum class Quality { draft, final };
-constexpr std::string_view name_of(Quality quality) { return quality == Quality::draft ? "draft" : "final"; }
-
-struct RenderOptions {
-  Quality quality = Quality::draft;
-  int width = 0;    // px, 1 … 16384; 0: 640 for a draft, 1200 for a final picture
-  int height = 0;   // px; 0: 480 or 900
-  int threads = 0;  // 0: all processors
-
-  bool operator==(const RenderOptions&) const = default;
-};
-
-struct PictureSize {
-  int width = 0;  // px
-  int height = 0;
-};
-PictureSize size_of(const RenderOptions& options);
 
 // The renderer failed, is not there, or crashed: exit status 3. what() holds its own last message.
 class RendererError : public std::runtime_error {

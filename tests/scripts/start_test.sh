@@ -7,6 +7,9 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
 ldd "$build/shatterpave" >"$scratch/loaded"
 ! grep OpenImageIO "$scratch/loaded" || fail "shatterpave loads OpenImageIO"
 ! grep libproj "$scratch/loaded" || fail "shatterpave loads PROJ"
+# So do the tests that read no pictures: hundreds of processes.
+ldd "$build/tests/shatterpave_tests" >"$scratch/loaded"
+! grep OpenImageIO "$scratch/loaded" || fail "shatterpave_tests loads OpenImageIO"
 ldd "$build/shatterpave-rasters" >"$scratch/loaded"
 grep -q OpenImageIO "$scratch/loaded" || fail "shatterpave-rasters does not load OpenImageIO: it cannot write rasters"
 

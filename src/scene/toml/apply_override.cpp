@@ -35,7 +35,7 @@ std::string taken_name(std::string_view& rest) {
   const char quote = is_quoted ? rest.front() : '\0';
   if (is_quoted) rest.remove_prefix(1);
   const auto end = std::ranges::find_if_not(rest, is_key_character);
-  const std::string name(rest.begin(), end);
+  std::string name(rest.begin(), end);
   rest.remove_prefix(name.size());
   if (!is_quoted) return name;
   if (!rest.starts_with(quote)) return {};

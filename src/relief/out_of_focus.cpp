@@ -13,8 +13,8 @@ namespace {
 
 // Of a disc's diameter: pixels of the result, and rows in which it is added up at the least. By eye: the rims of discs then
 // look round at any size.
-constexpr double pixels_a_disc = 16.0;
-constexpr double rows_a_disc = 24.0;
+constexpr double pixels_a_disc = 12.0;
+constexpr double rows_a_disc = 16.0;
 constexpr std::size_t widest_px = 4096;
 constexpr double most_rows_a_disc = 128.0;
 constexpr std::size_t band_rows = 32;  // of the result that share the sums of the rows that they look at
@@ -42,20 +42,34 @@ class RowSums {
   // Adds `weight` times what lies in that row between two places, in pixels; `from` may be below 0 and `to` beyond the width by
   // up to a whole round.
   void add(std::size_t row, double from, double to, double weight, std::vector<double>& sum) const {
-    for (std::size_t c = 0; c < picture_.channels; ++c) sum[c] += weight * (up_to(row, to, c) - up_to(row, from, c));
+    const double* sums = sums_.data() + (row - first_) * stride_;
+    const double* all = sums + picture_.width * picture_.channels;
+    const Mark low = mark(from);
+    const Mark high = mark(to);
+    for (std::size_t c = 0; c < picture_.channels; ++c) {
+      sum[c] += weight * ((high.rounds - low.rounds) * all[c] + (up_to(sums, high, c) - up_to(sums, low, c)));
+    }
   }
 
  private:
-  double up_to(std::size_t row, double place, std::size_t channel) const {
+  // A place along a row.
+  struct Mark {
+    double rounds = 0.0;    // whole ones before it
+    std::size_t first = 0;  // of the sums before its pixel
+    double part = 0.0;      // of that pixel
+  };
+
+  Mark mark(double place) const {
     const auto width = static_cast<double>(picture_.width);
-    const double* sums = sums_.data() + (row - first_) * stride_ + channel;
     const double rounds = std::floor(place / width);
     const double within = place - rounds * width;
     const std::size_t pixel = std::min(static_cast<std::size_t>(within), picture_.width - 1);
-    const double before = sums[pixel * picture_.channels];
-    const double after = sums[(pixel + 1) * picture_.channels];
-    return rounds * sums[picture_.width * picture_.channels] + before +
-           (within - static_cast<double>(pixel)) * (after - before);
+    return {rounds, pixel * picture_.channels, within - static_cast<double>(pixel)};
+  }
+
+  double up_to(const double* sums, const Mark& mark, std::size_t channel) const {
+    const double before = sums[mark.first + channel];
+    return before + mark.part * (sums[mark.first + picture_.channels + channel] - before);
   }
 
   const Raster& picture_;

@@ -225,6 +225,11 @@ Prefixes prefixes_of(const Model& model) {
   return {{prefixes.begin(), pavements_begin}, {pavements_begin, prefixes.end()}};
 }
 
+StillStage stage_of(const Model& model) { return still_stage(model, setting_of(model) == own_setting); }
+
+// The focus may go from one thing to another over a shot.
+bool is_shared_by_frames(const SkyPicture& sky) { return sky.blur == Angle(); }
+
 // The includes of the things that `wanted` says, by their number, panes first.
 void append_things(const Model& model, const Prefixes& prefixes, const IsShared& wanted, std::vector<OutputFile>& files) {
   const std::size_t panes = model.panes.size();
@@ -250,22 +255,23 @@ std::vector<std::string> settings() {
 
 std::vector<OutputFile> povray_files(const Model& model) {
   const Prefixes prefixes = prefixes_of(model);
-  StillStage stage = still_stage(model, setting_of(model) == own_setting);
+  const StillStage stage = stage_of(model);
   std::vector<OutputFile> files{still(model, prefixes.panes, prefixes.pavements, stage)};
   append_things(
       model, prefixes, [](std::size_t /*thing*/) { return true; }, files);
   append_materials(files);
-  std::ranges::move(stage.files, std::back_inserter(files));
+  if (stage.sky) files.push_back(sky_file(*stage.sky));
   return files;
 }
 
 std::vector<OutputFile> frame_files(const Model& model, const IsShared& is_shared) {
   const Prefixes prefixes = prefixes_of(model);
-  std::vector<OutputFile> files{
-      still(model, prefixes.panes, prefixes.pavements, still_stage(model, setting_of(model) == own_setting))};
+  const StillStage stage = stage_of(model);
+  std::vector<OutputFile> files{still(model, prefixes.panes, prefixes.pavements, stage)};
   append_things(
       model, prefixes, [&](std::size_t thing) { return !is_shared(thing); }, files);
   append_materials(files);
+  if (stage.sky && !is_shared_by_frames(*stage.sky)) files.push_back(sky_file(*stage.sky));
   return files;
 }
 
@@ -273,7 +279,8 @@ std::vector<OutputFile> shared_files(const Model& model, const IsShared& is_shar
   std::vector<OutputFile> files;
   append_things(model, prefixes_of(model), is_shared, files);
   append_materials(files);
-  std::ranges::move(still_stage(model, setting_of(model) == own_setting).files, std::back_inserter(files));
+  const StillStage stage = stage_of(model);
+  if (stage.sky && is_shared_by_frames(*stage.sky)) files.push_back(sky_file(*stage.sky));
   return files;
 }
 

@@ -32,7 +32,8 @@ std::vector<OutputFile> povray_files(const Model& model);
 
 // The same for one of many frames, in two parts: what changes from frame to frame, first NAME.pov, and what does not, which
 // NAME.pov includes all the same. The things of the model that `is_shared` says, by their number (panes first), do not change:
-// what was made of them is not looked at for the first part. Pictures of the environment do not change.
+// what was made of them is not looked at for the first part. Pictures of the environment do not change, unless they are out of
+// focus.
 using IsShared = std::function<bool(std::size_t thing)>;
 std::vector<OutputFile> frame_files(const Model& model, const IsShared& is_shared);
 std::vector<OutputFile> shared_files(const Model& model, const IsShared& is_shared);

@@ -138,17 +138,20 @@ StillStage still_stage(const Model& model, bool always) {
   const studio::Light& light = stage.light;
   const double exposure = studio::exposure_factor(light);
   const double factor = light.environment_gain * exposure;
-  const relief::Raster panorama = swatches::sharp_environment(stage);
-  const std::string picture = picture_name(shared_stem_of(model), light.environment_blur);
+  still.sky = {picture_name(shared_stem_of(model), light.environment_blur), swatches::sharp_environment(stage),
+               light.environment_blur};
+  const relief::Raster& panorama = still.sky->sharp;
   still.declarations += fmt::format(
-      fmt::runtime(light_pattern), fmt::arg("picture", picture), fmt::arg("turn", number(light.environment_turn.degrees())),
-      fmt::arg("factor", factor), fmt::arg("far", number(far_mm)),
+      fmt::runtime(light_pattern), fmt::arg("picture", still.sky->name),
+      fmt::arg("turn", number(light.environment_turn.degrees())), fmt::arg("factor", factor), fmt::arg("far", number(far_mm)),
       fmt::arg("lights", factor > 0.0 ? lights_text(panorama, cuts, factor) : std::string()),
       fmt::arg("draft_lights", factor > 0.0 ? lights_text(panorama, draft_cuts, factor) : std::string()),
       fmt::arg("sun", light.sun && light.sun->gain > 0.0 ? sun_text(*light.sun, exposure) : std::string()));
-  still.files.push_back(
-      {picture, relief::encoded(relief::out_of_focus(panorama, light.environment_blur), relief::RasterFormat::exr_half)});
   return still;
+}
+
+OutputFile sky_file(const SkyPicture& sky) {
+  return {sky.name, relief::encoded(relief::out_of_focus(sky.sharp, sky.blur), relief::RasterFormat::exr_half)};
 }
 
 }  // namespace shatterpave::exporting::povray

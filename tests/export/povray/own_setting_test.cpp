@@ -159,6 +159,25 @@ TEST(OwnSettingRender, SkyLiesAsTheWorldDoes) {
   EXPECT_NEAR(pixel(picture(model, 65, 9), 32, 4).y, 2.0, 0.05);
 }
 
+// The focus may move over a shot: then each frame has its own picture, and shares what is in focus alone.
+TEST(OwnSetting, FramesHaveASkyOfTheirOwnWhereItIsOutOfFocus) {
+  Model model = scene_of_both("own");
+  model.environment = compass();
+  model.light = studio::Light{};
+  model.light->environment = "compass.exr";
+  const auto skies = [](const std::vector<OutputFile>& files) {
+    return std::ranges::count_if(files, [](const OutputFile& file) { return file.name.find("_sky") != std::string::npos; });
+  };
+  const auto all = [](std::size_t) { return true; };
+  EXPECT_EQ(skies(frame_files(model, all)), 0);
+  EXPECT_EQ(skies(shared_files(model, all)), 1);
+  model.light->environment_blur = Angle::degrees(3.0);
+  EXPECT_EQ(skies(shared_files(model, all)), 0);
+  const std::vector<OutputFile> frame = frame_files(model, all);
+  ASSERT_EQ(skies(frame), 1);
+  EXPECT_NE(frame.front().content.find("_sky_blur3.exr\""), std::string::npos);
+}
+
 double difference(const relief::Raster& a, const relief::Raster& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.values.size(); ++i)

@@ -40,7 +40,7 @@ TEST(Environment, OutOfFocusIsAnotherPictureOfTheSameLight) {
   ASSERT_EQ(outputs.files.size(), 1U);
   EXPECT_EQ(outputs.files[0].name, "scene_environment_blur20.exr");
   const relief::Raster read = relief::panorama(outputs.files[0].content, "exr");
-  EXPECT_EQ(read.width, 288U);
+  EXPECT_EQ(read.width, 216U);
   float brightest = 0.0F;
   for (const float value : read.values) brightest = std::max(brightest, value);
   // One pixel of 11.25° squared, at 28° above the horizon, over a disc of 20°.

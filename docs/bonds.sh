@@ -14,7 +14,7 @@ names=$(sed -n 's/^name *= *"\(.*\)"$/\1/p' "$root/scenes/bonds.toml")
 paths() {
   awk -F'"' '
     /<path class="outline"/ { printf "<path class=\"outline\" d=\"%s\"/>\n", $6 }
-    # One polygon after another, relative to its first corner.
+    # One polygon after another, relative to its first corner; its classes are "stone", its part and its kind.
     /<polygon class="stone/ {
       split($2, kind, " ")
       n = split($6, points, " ")
@@ -26,7 +26,7 @@ paths() {
         else d = d (x - px < 0 || i == 2 ? "" : " ") (x - px) (y - py < 0 ? "" : " ") (y - py)
         px = x; py = y
       }
-      all[kind[2]] = all[kind[2]] d "z"
+      all[kind[3]] = all[kind[3]] d "z"
     }
     END {
       split("whole cut", kinds, " ")

@@ -1,7 +1,8 @@
 // Lines between tiles (tile_map.h) are moved aside as wholes, each by its own draw at either end: a line that ends on another
 // slides along it, so rows stay rows and stones between straight lines keep straight sides, which lean a little. Points where
 // no line goes on through move by themselves. All tiles about a point take the same new place, to the bit. Where a tile comes
-// out too small, or its outline meets itself, its points are taken back halfway, as often as it takes.
+// out too small, its outline meets itself, or it lies over another, its points are taken back halfway, as often as it takes.
+// (Tiles that a hair parts where they taper have points of their own there, which may move by themselves.)
 #include "paving/tiles/hand_setting.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "core/parallel.h"
 #include "geometry/clip.h"
 #include "geometry/lattice.h"
+#include "paving/tiles/overlapping.h"
 #include "paving/tiles/tile_map.h"
 
 namespace shatterpave::paving {
@@ -32,6 +34,8 @@ constexpr double free_of_side = 0.3;
 constexpr double least_area = 1.0 / 3.0;
 // Chains of points that stray from a straight side by no more are left out of it: twice the rounding, as in tile_map.h.
 constexpr double straight_chain_mm = 0.003;
+// As thick may be what two tiles have in common: both sides of a seam may be off by as much as a chain. Joints take more.
+constexpr double seam_mm = 0.008;
 constexpr int most_rounds = 30;
 constexpr int rounds_by_halves = 6;
 
@@ -55,21 +59,37 @@ class HandSetting {
       place();
       std::vector<std::optional<Polygon>> outlines(tiles_.size());
       parallel_for(tiles_.size(), [&](std::size_t t) { outlines[t] = lies_as_it_was(t) ? tiles_[t].outline_mm : outline(t); });
-      bool sound = true;
+      std::vector<std::size_t> unsound;
       for (std::size_t t = 0; t < tiles_.size(); ++t) {
-        if (outlines[t]) continue;
-        sound = false;
+        if (!outlines[t]) unsound.push_back(t);
+      }
+      if (unsound.empty()) unsound = lying_over_another(outlines);
+      if (unsound.empty()) return taken(std::move(outlines));
+      for (const std::size_t t : unsound) {
         for (const std::uint32_t point : points_near(t)) {
           double& factor = factors_[point];
           factor = round < rounds_by_halves ? 0.5 * factor : 0.0;
         }
       }
-      if (sound) return taken(std::move(outlines));
     }
     return std::nullopt;
   }
 
  private:
+  // Those of pairs of which one has moved.
+  std::vector<std::size_t> lying_over_another(const std::vector<std::optional<Polygon>>& outlines) const {
+    std::vector<Polygon> placed;
+    placed.reserve(outlines.size());
+    for (const auto& outline : outlines) placed.push_back(*outline);
+    std::vector<std::size_t> found;
+    for (const auto& [a, b] : overlapping_pairs(placed, seam_mm)) {
+      if (lies_as_it_was(a) && lies_as_it_was(b)) continue;
+      found.push_back(a);
+      found.push_back(b);
+    }
+    return found;
+  }
+
   // Of a line at one of its points: where along it, and its direction there.
   struct Mark {
     double along = 0.0;

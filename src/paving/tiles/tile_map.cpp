@@ -16,8 +16,8 @@ namespace {
 
 using geometry::Box;
 
-// Twice the rounding of a corner to the lattice, and some room.
-constexpr double same_point_mm = 0.003;
+// Twice the rounding of a corner to the lattice, and some room; between two steps of it, so that no rounding decides.
+constexpr double same_point_mm = 0.0035;
 // Cosine of 10°: by eye, less is a bend of a line. Corners of stones turn by more.
 constexpr double straight_cosine = 0.985;
 

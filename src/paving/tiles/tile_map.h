@@ -41,7 +41,7 @@ struct TileMap {
   std::vector<std::vector<Visit>> tiles;  // the outline of each tile, counter-clockwise, with all points that lie on it
 };
 
-// The tiles touch but do not overlap, but for rounding to the lattice: corners that lie within 3 µm of each other, or of a
+// The tiles touch but do not overlap, but for rounding to the lattice: corners that lie within 3.5 µm of each other, or of a
 // side, are taken to be one, or on that side.
 TileMap tile_map(const std::vector<Tile>& tiles);
 

@@ -81,6 +81,47 @@ TEST(HandLaying, NeverLetsStonesTouchAboutACentreWithin) {
   }
 }
 
+// Corners of the border's tiles lie 3 µm apart where these taper: numbers 1267 and 16845 of the random layouts.
+TEST(HandLaying, NeverLetsTilesThatTaperLieOverOthers) {
+  Pavement star = pavement({}, 116, 0, BoundaryDirection{});
+  star.area = {{{1719.035, 11580.833},
+                {714.885, 12450.753},
+                {-652.548, 12120.805},
+                {-1541.420, 12665.606},
+                {-1775.679, 12013.857},
+                {-3350.836, 12063.602},
+                {-2275.519, 11580.833},
+                {-3350.836, 11098.064},
+                {-1775.679, 11147.809},
+                {-1541.420, 10496.061},
+                {-652.548, 11040.861},
+                {714.885, 10710.913},
+                {248.133, 11340.523}},
+               {{{-152.359, 11467.170}, {-236.920, 11029.411}, {129.759, 11098.168}}}};
+  star.area.outline.insert(star.area.outline.begin() + 1, vec2{248.133, 11821.143});
+  star.bonding.bond = Bond::hexagon;
+  star.border.course = BorderCourse::soldier;
+  star.hand.amount = 0.257;
+  Pavement slim = pavement({}, 169, 0, BoundaryDirection{});
+  slim.area.outline = {{10937.166, -18360.227}, {10699.843, -18251.305}, {10802.383, -18187.834}, {12160.152, -18277.417},
+                       {12997.314, -20161.562}, {11544.845, -19167.842}, {11320.847, -20542.898}, {11103.079, -20544.516},
+                       {10604.440, -20450.400}, {11647.360, -18391.343}};
+  slim.bonding.bond = Bond::crazy;
+  slim.border.course = BorderCourse::soldier;
+  slim.border.stone_mm = vec2{70.9, 113.4};
+  slim.hand.amount = 1.0;
+  slim.hand.rounded = 0.068;
+  slim.hand.nibbled = 0.654;
+  for (Pavement* paved : {&star, &slim}) {
+    paved->name = "court";
+    if (geometry::area(paved->area.outline) < 0.0) std::ranges::reverse(paved->area.outline);
+    for (geometry::Polygon& hole : paved->area.holes) {
+      if (geometry::area(hole) > 0.0) std::ranges::reverse(hole);
+    }
+    EXPECT_EQ(faults(*paved, laid_stones(*paved, paved == &star ? 392 : 235)).total(), 0U);
+  }
+}
+
 // The same tiles without a joint of their own: what moves there meets.
 TEST(HandLaying, TwinWithoutRoomOverlaps) {
   Pavement paved = by_hand(type_of(Bond::running), 1.0, straight(20));

@@ -55,8 +55,12 @@ TEST(Overlapping, AgreesWithTheAreaInCommon) {
       for (const geometry::Region& common : geometry::intersection(tiles[a], {tiles[b], {}})) area += geometry::area(common);
       const bool told = next < found.size() && found[next] == std::pair(a, b);
       if (told) ++next;
-      if (area > 0.05) EXPECT_TRUE(told) << a << " " << b << " " << area;
-      if (area < 1e-5) EXPECT_FALSE(told) << a << " " << b << " " << area;
+      if (area > 0.05) {
+        EXPECT_TRUE(told) << a << " " << b << " " << area;
+      }
+      if (area < 1e-5) {
+        EXPECT_FALSE(told) << a << " " << b << " " << area;
+      }
     }
   }
   EXPECT_EQ(next, found.size());

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws docs/pictures/bonds.svg: every bond on one bent plan, the pavements of scenes/bonds.toml side by side.
+# Draws docs/pictures/bonds.svg: bonds on one bent plan, the pavements of scenes/bonds.toml side by side.
 #   docs/bonds.sh [--seed N] [--command SHATTERPAVE] [FILE.svg]
 # Exports them as SVG by the command, which it builds unless one is given, and sets them on one page.
 set -euo pipefail
@@ -14,7 +14,7 @@ names=$(sed -n 's/^name *= *"\(.*\)"$/\1/p' "$root/scenes/bonds.toml")
 paths() {
   awk -F'"' '
     /<path class="outline"/ { printf "<path class=\"outline\" d=\"%s\"/>\n", $6 }
-    # One polygon after another, relative to its first corner.
+    # One polygon after another, relative to its first corner; its classes are "stone", its part and its kind.
     /<polygon class="stone/ {
       split($2, kind, " ")
       n = split($6, points, " ")
@@ -26,7 +26,7 @@ paths() {
         else d = d (x - px < 0 || i == 2 ? "" : " ") (x - px) (y - py < 0 ? "" : " ") (y - py)
         px = x; py = y
       }
-      all[kind[2]] = all[kind[2]] d "z"
+      all[kind[3]] = all[kind[3]] d "z"
     }
     END {
       split("whole cut", kinds, " ")
@@ -38,7 +38,7 @@ paths() {
 page() {
   cat <<'HEAD'
 <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 28400 16200">
-<title>Every bond of shatterpave on one bent plan</title>
+<title>Bonds of shatterpave on one bent plan</title>
 <style>
 .page{fill:#fff}
 .outline{fill:#4a463f;fill-rule:evenodd;stroke:#222;stroke-width:14}

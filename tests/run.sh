@@ -12,10 +12,12 @@ install_packages build render test || exit 1
 install_npm || exit 1
 build_release all -DSHATTERPAVE_TESTS=ON -DSHATTERPAVE_PLOTS=REQUIRED || exit 1
 
+# One more at a time than there are processors: many wait for a browser, a server or a disk.
+at_once=$(($(nproc) + 1))
 results=$root/build/test-results.xml
 rm -f "$results"
 status=0
-ctest --test-dir "$root/build" --parallel "$(nproc)" --output-on-failure --no-tests=error \
+ctest --test-dir "$root/build" --parallel "$at_once" --output-on-failure --no-tests=error \
   --output-junit "$results" "$@" </dev/null || status=$?
 
 count_of() { sed -n "s/^[[:space:]]*$1=\"\([0-9]*\)\".*/\1/p" "$results" | head -n 1; }

@@ -184,6 +184,9 @@ void refuse_parsed(const CLI::ParseError& error) {
   std::string text = error.what();
   while (!text.empty() && text.back() == '\n') text.pop_back();
   std::ranges::replace(text, '\n', ' ');
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    text = fmt::format("expected no more words, got {}", in_quotes(text.substr(std::min(text.size(), text.find(": ") + 2))));
+  }
   throw InputError(fmt::format("{}: {} (see {} --help)", program, text, program));
 }
 

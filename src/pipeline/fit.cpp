@@ -10,6 +10,7 @@
 #include "measure/scene_fit.h"
 #include "pipeline/lines.h"
 #include "pipeline/write.h"
+#include "scene/input_file.h"
 
 namespace shatterpave::pipeline {
 
@@ -89,6 +90,13 @@ void write_fitted_scene(const std::vector<std::filesystem::path>& traces, const 
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
     throw InputError(Place{file.string(), 0, 0, ""}, "expected a file to write the scene to, got a folder");
+  }
+  // Before the work, which takes a while.
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw InputError(
+        Place{file.string(), 0, 0, ""},
+        fmt::format("expected a file in a folder that is there, got none of the name {}", scene::in_quotes(folder.string())));
   }
   const std::string text = fitted_scene_text(traces, progress);
   // Beside it first, so that what was there stays until the new one is whole.

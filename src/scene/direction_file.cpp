@@ -1,6 +1,7 @@
 #include "scene/direction_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -66,6 +67,12 @@ class DirectionReader {
       refuse("", "JSON with numbers in range", "others");
     }
     if (!document.is_object()) refuse("", "an object", in_quotes(document.dump().substr(0, 40)));
+    constexpr std::array<std::string_view, 4> keys = {"origin_mm", "pitch_mm", "columns", "vectors"};
+    for (const auto& [key, value] : document.items()) {
+      if (std::ranges::find(keys, key) == keys.end()) {
+        refuse("", fmt::format("the keys {} alone", fmt::join(keys, ", ")), in_quotes(key));
+      }
+    }
     const auto member = [&](const char* key) -> const json& {
       if (!document.contains(key)) refuse(key, "a value", "nothing");
       return document[key];

@@ -80,6 +80,9 @@ TEST_F(DirectionFiles, RefusesWhatIsNoField) {
                    "expected a vector at each of 3 x 2 places, 500 mm apart, got none at (500, 500)"));
   EXPECT_TRUE(says(refusal("a.csv", "x_mm,y_mm,u,v\n0,0,1,0\n9,0,1,0\n0,9,1,0\n0,9,1,0\n"), "a.csv:5:1"));
   EXPECT_TRUE(says(refusal("a.txt", ""), ".json or .csv"));
+  const std::string with_unit = R"({"unit": "m", )" + head.substr(1) + "[[1,0],[1,0],[1,0],[1,0]]}";
+  EXPECT_TRUE(
+      says(refusal("a.json", with_unit), "expected the keys origin_mm, pitch_mm, columns, vectors alone, got \"unit\""));
 }
 
 TEST_F(DirectionFiles, PackedStonesFollowIt) {

@@ -1,4 +1,4 @@
-# Run by Blender (blender -b --factory-startup -P blender_gltf.py -- SCENE.glb): imports a door of 200 x 300 mm in shards, or a
+# Run by Blender (blender -b --factory-startup -P blender_gltf.py -- SCENE.glb): imports a door of 140 x 210 mm in shards, or a
 # plaza of 3 x 2 m with its kerb, and checks that they arrive in metres, as glass or stone, by their names. Prints "gltf: ok".
 import os
 import sys
@@ -47,7 +47,7 @@ for material in bpy.data.materials:
 if "door" in bpy.data.objects:
     expect(len(things) > 100 and all(thing.name.startswith("door.") for thing in things), "shards by name")
     (x, y, z) = extent([thing for thing in things if thing.get("kind") == "shard standing"])
-    expect(near(z[1], 0.3) and near(x[0], 0) and near(x[1], 0.2), f"a door of 0.2 x 0.3 m that stands, got {x} {z}")
+    expect(near(z[1], 0.21) and near(x[0], 0) and near(x[1], 0.14), f"a door of 0.14 x 0.21 m that stands, got {x} {z}")
     expect(near(y[0], -0.003) and near(y[1], 0.003), f"glass of 6 mm, got {y}")
 else:
     stones = [thing for thing in things if thing.get("kind", "").startswith("stone") and thing.name.startswith("plaza.")]

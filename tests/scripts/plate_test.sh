@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The plate of the twelve presets: whole, the same each time, and refused where a caption is not what the pane is.
+# The plate of the twelve presets: whole, the same each time, and refused where a caption is not what the pane is. The sheet of bonds is
+# the one that is in the pages.
 #   plate_test.sh BUILD
 # shellcheck source=tests/scripts/test_kit.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
@@ -36,3 +37,6 @@ ends 2 "$plate" --wrong
 sed "s|^here=.*|here=$root/docs|; s/^14 b 104 /14 b 105 /" "$plate" >"$scratch/plate.sh"
 if bash "$scratch/plate.sh" --command "$command" "$scratch/c.svg" 2>"$scratch/said"; then fail "a wrong caption is not noticed"; fi
 [[ ! -e $scratch/c.svg ]] || fail "a plate with a wrong caption is left"
+
+"$root/docs/bonds.sh" --command "$command" "$scratch/bonds.svg" >"$scratch/said"
+cmp "$scratch/bonds.svg" "$root/docs/pictures/bonds.svg" || fail "docs/pictures/bonds.svg shows other stones: docs/bonds.sh draws it"

@@ -109,3 +109,8 @@ refuse 's.toml:4:1: pavement[0].jiont_mm: unknown key; did you mean joint_mm?' "
 size_mm = [900, 900]
 jiont_mm = 10"
 
+# What the command is told.
+refuses '^shatterpave: expected no more words, got "pane" ' shatterpave keys pane
+printf '%s\n' "$pane" 'size_mm = [300, 300]' 'impact = [{ at_mm = [150, 150], radial_count = 30 }]' >w.toml
+shatterpave export w.toml --target json -o panes >/dev/null
+refuses '^none/x.toml: expected a file in a folder that is there, got none of the name "none"$' shatterpave fit panes/w.json -o none/x.toml

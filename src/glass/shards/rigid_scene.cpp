@@ -75,9 +75,18 @@ btCollisionShape* RigidScene::prisms(const std::vector<geometry::Polygon>& parts
   return shapes_.back().get();
 }
 
-void RigidScene::add_fixed(btCollisionShape* shape, vec3 at_mm) {
-  btRigidBody* body = add_shard(shape, 0.0, at_mm);
+void RigidScene::add_fixed(btCollisionShape* shape, vec3 at_mm) { add_standing(add_shard(shape, 0.0, at_mm)); }
+
+// Awake, a body has its box made anew in each step, which is most of the work where thousands stand; so it sleeps once a step
+// has made it.
+void RigidScene::add_standing(btRigidBody* body) {
   world_.addRigidBody(body);
+  awake_standing_.push_back(body);
+}
+
+void RigidScene::let_standing_sleep() {
+  for (btRigidBody* body : awake_standing_) body->forceActivationState(ISLAND_SLEEPING);
+  awake_standing_.clear();
 }
 
 void RigidScene::add_block(vec3 low_mm, vec3 high_mm) {
@@ -96,7 +105,7 @@ void RigidScene::fix(btRigidBody* body) {
   body->setLinearVelocity(none);
   body->setAngularVelocity(none);
   body->setInterpolationWorldTransform(body->getWorldTransform());
-  world_.addRigidBody(body);
+  add_standing(body);
 }
 
 btRigidBody* RigidScene::add_shard(btCollisionShape* shape, double kg, vec3 at_mm) {

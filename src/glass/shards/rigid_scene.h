@@ -86,15 +86,20 @@ class RigidScene {
   void step(double step_s, double damping, int parts) {
     world_.damping = damping;
     for (int part = 0; part < parts; ++part) world_.stepSimulation(step_s / parts, 0, step_s / parts);
+    let_standing_sleep();
   }
 
  private:
+  void add_standing(btRigidBody* body);
+  void let_standing_sleep();
+
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   btSequentialImpulseConstraintSolver solver_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  std::vector<btRigidBody*> awake_standing_;  // put into the world since the last step
   RigidWorld world_;
 };
 

@@ -1,6 +1,11 @@
 // Setts in flat arcs, side by side and behind one another. stone_mm = [a, b]: mean along a course, and depth of a course, in
 // the middle of the arc. The arcs are drawn with one corner wherever a perpend ends on them, on either side; stones taper and
 // bend by what the arc asks for, so that the joints are as wide at one end as at the other.
+//
+// Where two arcs meet, in the valley, courses interlock as a paviour lays them: by turns that of the one arc and that of the
+// other reaches three quarters of a stone across, and so far the joints lie flat. So there is no straight joint from front to
+// back, and each course is half a stone off the last with stones of one kind only.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,6 +23,15 @@ namespace {
 // foot; with a sixth (a foot of 36.9°) to 0.8, which setts sorted 8 to 10 cm (EN 1342) give.
 constexpr double rise = 1.0 / 6.0;
 
+// Stones are narrower towards the feet, where courses are less deep, too: of stones of one width, how far along the arc a
+// perpend is, −1 … 1, as that part of the foot's angle. The slope goes from 1.025 to 0.95, by eye: those in the valley, which
+// stand upright, look like slats if they are much narrower.
+double sorted(double t) { return t * (1.025 - 0.025 * t * t); }
+
+// How far a course reaches across the valley, in stones. With a quarter courses are half a stone off, too, but look cut by a
+// saw.
+constexpr double reach = 0.75;
+
 class SegmentalArc {
  public:
   // The foot of course `number` is at v = number · pitch.y.
@@ -26,15 +40,16 @@ class SegmentalArc {
         half_(0.5 * span_mm),
         radius_(span_mm * (1.0 + 4.0 * rise * rise) / (8.0 * rise)),
         foot_(0.5 * pi - arccosine(half_ / radius_)) {
-    // Stones of one width w but for the two at the ends: 1.25 w in one course, 0.75 w in the next, which has one more. So
-    // each course is half a stone off the last, and none begins with half a stone.
     const double length = 2.0 * radius_ * foot_;
-    const double inner = std::max(1.0, std::round(length / pitch.x - 0.5));
-    const double step = 2.0 * foot_ / (inner + 0.5);
+    const double stones = std::max(3.0, std::round(length / pitch.x));
+    const auto angle = [&](double stone) { return foot_ * sorted(2.0 * stone / stones - 1.0); };
+    flat_ = -angle(reach);
+    across_mm_ = half_ - radius_ * sine(flat_);
+    // Courses begin to the right of the valley, or to the left of it.
     for (const int course : {0, 1}) {
-      const int perpends = static_cast<int>(inner) - 1 + course;
-      for (int i = 0; i < perpends; ++i) {
-        perpends_[static_cast<std::size_t>(course)].push_back(-foot_ + (1.25 - 0.5 * course + i) * step);
+      const double first = course == 0 ? reach : -reach;
+      for (int i = 1; i < static_cast<int>(stones); ++i) {
+        perpends_[static_cast<std::size_t>(course)].push_back(angle(first + i));
       }
     }
   }
@@ -45,16 +60,19 @@ class SegmentalArc {
       const CourseLine low = line_below(course);
       const CourseLine high = line_below(1 - course);
       const auto& at = perpends_[course];
+      const double aside = course == 0 ? across_mm_ : -across_mm_;
+      const Perpend first{aside, aside, 0.0};
+      const Perpend last{2.0 * half_ + aside, 2.0 * half_ + aside, 0.0};
       for (std::size_t i = 0; i <= at.size(); ++i) {
-        const double from = i == 0 ? -foot_ : at[i - 1];
-        const double to = i == at.size() ? foot_ : at[i];
+        const Perpend from = i == 0 ? first : perpend(at[i - 1]);
+        const Perpend to = i == at.size() ? last : perpend(at[i]);
         const auto on = [&](std::size_t line) { return [this, line](double u) { return point(u, line); }; };
-        Tile tile{{point(below(from), course)}, Angle::radians(-0.5 * (from + to)).direction()};
-        low.append_between(below(from), below(to), on(course), tile.outline_mm);
-        tile.outline_mm.push_back(point(below(to), course));
-        tile.outline_mm.push_back(point(above(to), course + 1));
-        high.append_between(above(to), above(from), on(course + 1), tile.outline_mm);
-        tile.outline_mm.push_back(point(above(from), course + 1));
+        Tile tile{{point(from.below, course)}, Angle::radians(-0.5 * (from.lean + to.lean)).direction()};
+        low.append_between(from.below, to.below, on(course), tile.outline_mm);
+        tile.outline_mm.push_back(point(to.below, course));
+        tile.outline_mm.push_back(point(to.above, course + 1));
+        high.append_between(to.above, from.above, on(course + 1), tile.outline_mm);
+        tile.outline_mm.push_back(point(from.above, course + 1));
         result.push_back(std::move(tile));
       }
     }
@@ -62,29 +80,37 @@ class SegmentalArc {
   }
 
  private:
-  bool is_foot(double angle) const { return std::abs(angle) == foot_; }
+  // A joint between two stones of a course: u where it ends on the arc below and above, and how far it leans from v,
+  // radians.
+  struct Perpend {
+    double below = 0.0;
+    double above = 0.0;
+    double lean = 0.0;
+  };
 
-  // u where the perpend at `angle` from v, which crosses the middle of its course at right angles, ends on the arc below the
-  // course, or above it. With the middle arc about the origin the arc below is about (0, −depth / 2).
-  double end(double angle, double half_depth) const {
-    if (is_foot(angle)) return half_ + std::copysign(half_, angle);
-    const double s = half_depth * sine(angle);
-    return half_ + sine(angle) * (half_depth * cosine(angle) + std::sqrt(radius_ * radius_ - s * s));
+  // It crosses the middle of its course at right angles, but for those near the valley, which turn upright as those in it are.
+  // With the middle arc about the origin the arc below is about (0, −depth / 2).
+  Perpend perpend(double angle) const {
+    const double part = std::min(1.0, angle * angle / (flat_ * flat_));
+    const auto end = [&](double half_depth) {
+      const double s = half_depth * sine(angle);
+      const double radial = half_depth * cosine(angle) + std::sqrt(radius_ * radius_ - s * s);
+      return half_ + sine(angle) * (radial + part * part * (radius_ - radial));
+    };
+    return {end(-0.5 * depth_), end(0.5 * depth_), angle * (1.0 - part * part)};
   }
-  double below(double angle) const { return end(angle, -0.5 * depth_); }
-  double above(double angle) const { return end(angle, 0.5 * depth_); }
 
-  // The arc below course `line`, 0 … 2.
+  // The arc below course `line`, 0 … 2; flat where courses reach across the valley.
   vec2 point(double u, std::size_t line) const {
-    const double d = u - half_;
+    const double d = std::min(std::abs(u - half_), half_ - across_mm_);
     const double height = std::sqrt(radius_ * radius_ - d * d) - std::sqrt(radius_ * radius_ - half_ * half_);
     return {u, height + static_cast<double>(line) * depth_};
   }
 
   CourseLine line_below(std::size_t course) const {
-    std::vector<double> stops;
-    for (const double angle : perpends_[course]) stops.push_back(below(angle));
-    for (const double angle : perpends_[1 - course]) stops.push_back(above(angle));
+    std::vector<double> stops{across_mm_, 2.0 * half_ - across_mm_};
+    for (const double angle : perpends_[course]) stops.push_back(perpend(angle).below);
+    for (const double angle : perpends_[1 - course]) stops.push_back(perpend(angle).above);
     return {std::move(stops), same_place_mm};
   }
 
@@ -92,6 +118,8 @@ class SegmentalArc {
   double half_;
   double radius_;
   double foot_;                                    // angle of the arc's end from its middle, radians
+  double flat_ = 0.0;                              // and of where its joints begin to lie flat
+  double across_mm_ = 0.0;                         // from there to the valley, along u
   std::array<std::vector<double>, 2> perpends_{};  // of even and odd courses: angles from v to the right, ascending
 };
 
@@ -107,7 +135,7 @@ Pattern segmental_arc_pattern(const Pavement& pavement) {
 extern constinit const BondType segmental_arc_bond{
     .id = Bond::segmental_arc,
     .name = "segmental_arc",
-    .sentence = "setts in flat arcs beside one another; rise a sixth of the span",
+    .sentence = "setts in flat arcs that interlock where they meet; rise a sixth of the span",
     .stone_words = "along and across a course, in the middle of the arc",
     .stock_words = largest_of_pattern,
     .is_for_scenes = true,

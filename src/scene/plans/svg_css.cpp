@@ -15,11 +15,11 @@ namespace {
 constexpr std::string_view spaces = " \t\n\r\f";
 
 // Properties that hide, clip or move shapes, or say what of them is filled.
-constexpr std::array<std::string_view, 25> followed_properties = {
+constexpr std::array<std::string_view, 26> followed_properties = {
     "display",   "visibility", "fill",     "fill-rule", "clip-rule", "clip-path",        "mask",
     "filter",    "opacity",    "overflow", "transform", "rotate",    "transform-origin", "transform-box",
     "translate", "scale",      "x",        "y",         "width",     "height",           "cx",
-    "cy",        "r",          "rx",       "ry"};
+    "cy",        "r",          "rx",       "ry",        "d"};
 
 bool is_valid(std::string_view property, std::string_view value) {
   if (value.empty()) return false;

@@ -63,7 +63,14 @@ bool is_shape_name(std::string_view name) {
 }
 
 void outline_element(const pugi::xml_node& node, std::string_view name, const Lengths& lengths, Outliner& outliner) {
-  if (name == "path") return follow_path(node.attribute("d").value(), outliner);
+  if (name == "path") {
+    const std::string_view path = node.attribute("d").value();
+    // Browsers follow it, most drawing programs do not.
+    if (const std::string_view styled = lengths.text("d"); path.find(styled) == std::string_view::npos) {
+      throw SvgError(fmt::format("a path in the attribute d, got {} in its style", in_quotes(styled)));
+    }
+    return follow_path(path, outliner);
+  }
   if (name == "polygon" || name == "polyline") return outline_points(node, name == "polygon", outliner);
   if (name == "rect") return outline_rect(lengths, outliner);
   if (name == "line") {

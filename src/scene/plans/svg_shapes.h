@@ -27,6 +27,8 @@ class Lengths {
   // A radius that may be "auto", which is as none.
   std::optional<double> radius(const char* name, double whole) const;
   vec2 viewport() const { return viewport_; }
+  // As style sheets have it, or else the attribute.
+  std::string_view text(const char* name) const { return property_(node_, name); }
 
  private:
   double length(const char* name, double whole, double otherwise) const;

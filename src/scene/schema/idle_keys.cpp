@@ -25,10 +25,25 @@ void add_idle(const std::string& table, const Facts& facts, std::vector<std::str
   (add(sections), ...);
 }
 
+// Calls act(section …) with all sections of a thing's own facts, so that what is told of given keys and what is listed of all
+// agree.
+template <typename Act>
+auto with_pane_sections(Act act) {
+  return act(pane_keys, growth_keys, rings_keys, crater_keys, laminate_keys, tempering_keys, crack_sheet_keys, shards_keys);
+}
+template <typename Act>
+auto with_pavement_sections(Act act) {
+  return act(pavement_keys, direction_keys, surface_keys, variation_keys, hand_keys, relief_keys, textures_keys, ground_keys,
+             steps_keys, detail_keys);
+}
+template <typename Act>
+auto with_scene_sections(Act act) {
+  return act(root_keys, still_keys, camera_keys, light_keys, plan_keys);
+}
+
 void add_idle_of_pane(const TomlTable& table, const glass::Pane& pane, std::vector<std::string>& paths) {
   const PaneFacts facts{table, pane};
-  add_idle(table.path(), facts, paths, pane_keys, growth_keys, rings_keys, crater_keys, laminate_keys, tempering_keys,
-           crack_sheet_keys, shards_keys);
+  with_pane_sections([&](const auto&... sections) { add_idle(table.path(), facts, paths, sections...); });
   const std::vector<TomlTable> impacts = impact_keys.tables_in(table, most_impacts);
   for (std::size_t i = 0; i < std::min(impacts.size(), pane.impacts.size()); ++i) {
     add_idle(impacts[i].path(), ImpactFacts{impacts[i], facts, pane.impacts[i]}, paths, impact_keys);
@@ -49,14 +64,7 @@ const Thing* thing_of(const std::string& path, const std::vector<Thing>& things,
 void tell_idle_keys(const TomlTable& table, const glass::Pane& pane, std::vector<Note>& notes) {
   const PaneFacts facts{table, pane};
   IdleKeys<PaneFacts> idle(facts, notes);
-  idle.tell(pane_keys);
-  idle.tell(growth_keys);
-  idle.tell(rings_keys);
-  idle.tell(crater_keys);
-  idle.tell(laminate_keys);
-  idle.tell(tempering_keys);
-  idle.tell(crack_sheet_keys);
-  idle.tell(shards_keys);
+  with_pane_sections([&](const auto&... sections) { (idle.tell(sections), ...); });
   const std::vector<TomlTable> impacts = impact_keys.tables_in(table, pane.impacts.size());
   for (std::size_t i = 0; i < impacts.size(); ++i) {
     if (i > 0 && facts.is_tempered()) {
@@ -71,31 +79,18 @@ void tell_idle_keys(const TomlTable& table, const glass::Pane& pane, std::vector
 void tell_idle_keys(const TomlTable& table, const paving::Pavement& pavement, std::vector<Note>& notes) {
   const PavementFacts facts{table, pavement};
   IdleKeys<PavementFacts> idle(facts, notes);
-  idle.tell(pavement_keys);
-  idle.tell(direction_keys);
-  idle.tell(surface_keys);
-  idle.tell(variation_keys);
-  idle.tell(hand_keys);
-  idle.tell(relief_keys);
-  idle.tell(textures_keys);
-  idle.tell(ground_keys);
-  idle.tell(steps_keys);
-  idle.tell(detail_keys);
+  with_pavement_sections([&](const auto&... sections) { (idle.tell(sections), ...); });
 }
 
 void tell_idle_keys(const TomlTable& root, std::vector<Note>& notes) {
   const SceneFacts facts{root};
   IdleKeys<SceneFacts> idle(facts, notes);
-  idle.tell(root_keys);
-  idle.tell(still_keys);
-  idle.tell(camera_keys);
-  idle.tell(light_keys);
-  idle.tell(plan_keys);
+  with_scene_sections([&](const auto&... sections) { (idle.tell(sections), ...); });
 }
 
 std::vector<std::string> idle_key_paths(const TomlTable& root, const Scene& scene) {
   std::vector<std::string> paths;
-  add_idle("", SceneFacts{root}, paths, root_keys, still_keys, camera_keys, light_keys, plan_keys);
+  with_scene_sections([&](const auto&... sections) { add_idle("", SceneFacts{root}, paths, sections...); });
   for (const TomlTable& table : pane_keys.tables_in(root, most_panes)) {
     const glass::Pane* pane = thing_of(table.path(), scene.panes, scene.pane_places);
     if (pane != nullptr) add_idle_of_pane(table, *pane, paths);
@@ -103,8 +98,8 @@ std::vector<std::string> idle_key_paths(const TomlTable& root, const Scene& scen
   for (const TomlTable& table : pavement_keys.tables_in(root, paving::most_pavements)) {
     const paving::Pavement* pavement = thing_of(table.path(), scene.pavements, scene.pavement_places);
     if (pavement == nullptr) continue;
-    add_idle(table.path(), PavementFacts{table, *pavement}, paths, pavement_keys, direction_keys, surface_keys, variation_keys,
-             relief_keys, textures_keys, ground_keys, steps_keys, detail_keys);
+    const PavementFacts facts{table, *pavement};
+    with_pavement_sections([&](const auto&... sections) { add_idle(table.path(), facts, paths, sections...); });
   }
   return paths;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -299,6 +300,41 @@ TEST(Bonds, JointsInArcsAreNotWedges) {
   }
   const Pavement rings = bonded(Bond::running, {100, 100}, 8, rectangle(2500, 2500), RadialDirection{{-500, -300}});
   EXPECT_LT(worst_wedge(rings, laid_stones(rings, 1)), 0.01);
+}
+
+// As a paviour lays them: in each course one stone lies across the valley between two arcs, and its perpends are those of no
+// next course. The twin: arcs that are cut off at the valley.
+TEST(Bonds, ArcsInterlockInTheirValleys) {
+  constexpr double span = 1200.0;
+  const auto courses_across = [&](const std::vector<Tile>& tiles, double least_mm) {
+    std::set<int> courses;
+    for (const Tile& tile : tiles) {
+      const geometry::Box box = geometry::bounding_box(tile.outline_mm);
+      const double valley = span * std::round(0.5 * (box.low.x + box.high.x) / span);
+      if (valley - box.low.x < least_mm || box.high.x - valley < least_mm) continue;
+      courses.insert(static_cast<int>(std::lround(box.low.y / 98.0)) % 2);
+    }
+    return courses.size();
+  };
+  Pavement paved = bonded(Bond::segmental_arc, {90, 90}, 8, rectangle(2500, 2500));
+  paved.bonding.span_mm = span;
+  std::vector<Tile> tiles = periodic_pattern(paved)->tiles;
+  EXPECT_EQ(courses_across(tiles, 15.0), 2U);
+  double narrowest = 1e9;
+  double middle = 0.0;
+  for (const Tile& tile : tiles) {
+    const vec2 centre = geometry::centroid(tile.outline_mm);
+    const double width = geometry::area(tile.outline_mm) / 98.0;
+    narrowest = std::min(narrowest, width);
+    if (std::abs(centre.x - 0.5 * span) < 60.0) middle = std::max(middle, width);
+  }
+  EXPECT_GT(middle, 95.0);
+  EXPECT_LT(narrowest, 0.85 * middle);
+  EXPECT_GT(narrowest, 0.7 * middle);
+  for (Tile& tile : tiles) {
+    for (vec2& p : tile.outline_mm) p.x = std::clamp(p.x, 0.0, span);
+  }
+  EXPECT_EQ(courses_across(tiles, 15.0), 0U);
 }
 
 // Where the ends of whole planks stand along the lines at which rows meet, mm from the last joint: on the near side of a line

@@ -127,6 +127,9 @@ TEST(SvgShown, WhatCutsBeyondThisReaderIsRefusedWhereItIsTaken) {
   expect(masked, 1.0, 0, "b");
   const std::string by_shape = page(R"x(<rect id="a" style="clip-path:circle(5px)" width="10" height="10"/>)x");
   EXPECT_EQ(error(by_shape), "a.svg:1:94: rect#a: expected a clip path as url(#id), got \"circle(5px)\"");
+  const std::string styled = page(R"x(<path id="a" d="M0 0h10v10z" style="d:path('M0 0h20v20z')"/>)x");
+  EXPECT_NE(error(styled, "a").find("path#a: expected a path in the attribute d, got \"path("), std::string::npos);
+  expect(page(R"x(<path id="a" d=" M0 0h10v10h-10z "/>)x"), 1.0, 0);
   const std::string lost = page(R"x(<rect id="a" clip-path="url(#none)" filter="url(#f)" width="10" height="10"/>)x");
   expect(lost, 1.0, 0);
   EXPECT_EQ(read(lost).notes.size(), 2U);

@@ -41,7 +41,9 @@ void apply(const WindowPreset& preset, Pane& pane) {
   pane.thickness_mm = preset.thickness_mm;
   pane.pattern = Pattern::real;
   pane.crack_body = CrackBody::sheet;
+  pane.crack_sheet.twist_mm = preset.twist_mm;
   pane.shards = ShardRules{};
+  pane.shards->leaning = true;
 }
 
 void apply(const WindowPreset& preset, Impact& impact) {

@@ -1,8 +1,8 @@
 // Persistence of Vision Ray Tracer Scene Description File
 // Vers: 3.7
-// Desc: A window of an old house, seen from within on a bright morning: somebody has thrown a stone. Shards stand in the white
-//       sash, others lie on the oak sill, where the stone has come to lie. Frame, sill and camera follow the size of the panes and
-//       where their shards fell; several panes stand side by side.
+// Desc: A window of an old house, seen from the street: somebody has thrown a stone. Shards stand in the weathered sash, others
+//       lie on the stone sill. Glass mirrors what is all around, the hole shows the dark of the room. Frame, sill and camera
+//       follow the size of the panes and where their shards fell; several panes stand side by side.
 //
 // Reads, where they are declared before (as by Declare=Quality=0 on the command line):
 //    Quality   0 for a draft: lights without extent; 1 for the picture itself
@@ -10,11 +10,10 @@
 #version 3.7;
 #ifndef(Quality) #declare Quality = 1; #end
 // 16 levels: two faces of a shard and its bevels, then what lies behind it on the sill.
-global_settings { assumed_gamma 1.0 max_trace_level 16 adc_bailout 1 / 255 }
+global_settings { assumed_gamma 1.0 max_trace_level select(Quality - 1, 10, 16) adc_bailout select(Quality - 1, 1 / 40, 1 / 255) }
 
 #include "functions.inc"
 #include "shatterpave_shards.inc"
-#declare Shatterpave_Shard_Old = texture { Shatterpave_Shard_Dusty }
 //@model
 
 // ---- sizes; where nothing fell, as if it had
@@ -45,35 +44,90 @@ global_settings { assumed_gamma 1.0 max_trace_level 16 adc_bailout 1 / 255 }
 
 // ---- materials
 
-#declare Paint =
-texture {
-   pigment { bozo color_map { [0 rgb <0.80, 0.79, 0.75>] [1 rgb <0.86, 0.85, 0.81>] } scale <60, 60, 60> }
-   normal { bumps 0.05 scale <3, 26, 3> }
-   finish { ambient 0 diffuse 0.82 specular 0.22 roughness 0.03 reflection { 0.01, 0.10 fresnel on } conserve_energy }
-}
-#declare Plaster =
-texture {
-   pigment { bozo color_map { [0 rgb <0.50, 0.45, 0.38>] [1 rgb <0.56, 0.51, 0.43>] } turbulence 0.4 scale 130 }
-   normal { granite 0.12 scale 60 }
-   finish { ambient 0 diffuse 0.85 }
-}
-#declare Oak =
+// Along x: grey boards, with what is left of their paint.
+#declare Bare_Wood =
 texture {
    pigment {
       wood
       turbulence 0.05 omega 0.55 octaves 5
       color_map {
-         [0.00 rgb <0.235, 0.135, 0.065>]
-         [0.55 rgb <0.320, 0.190, 0.095>]
-         [0.85 rgb <0.255, 0.145, 0.068>]
-         [1.00 rgb <0.150, 0.080, 0.036>]
+         [0.00 rgb <0.150, 0.128, 0.105>]
+         [0.55 rgb <0.205, 0.180, 0.150>]
+         [0.85 rgb <0.160, 0.135, 0.110>]
+         [1.00 rgb <0.075, 0.062, 0.050>]
       }
-      scale <9, 9, 60>
+      scale <5, 5, 60>
       rotate <1.2, 90 + 0.8, 0>
       translate <0, -37, 13>
    }
-   normal { granite 0.16 scale <120, 2.2, 4> }
-   finish { ambient 0 diffuse 0.80 specular 0.20 roughness 0.02 reflection { 0.0, 0.30 fresnel on } conserve_energy }
+   normal { granite 0.25 scale <140, 2.2, 4> }
+   finish { ambient 0 diffuse 0.85 }
+}
+#declare Paint =
+texture { Bare_Wood }
+texture {
+   pigment {
+      wrinkles
+      color_map {
+         [0.00 rgb <0.30, 0.35, 0.33>]
+         [0.40 rgb <0.35, 0.40, 0.38>]
+         [0.70 rgb <0.37, 0.42, 0.40>]
+         [0.73 rgb <0.12, 0.11, 0.10> transmit 0.3]
+         [0.76 rgb <0.12, 0.11, 0.10> transmit 1]
+      }
+      scale <70, 9, 9>
+   }
+   normal {
+      average
+      normal_map {
+         [1 wrinkles 0.35 scale <70, 9, 9>]
+         [1 bumps 0.12 scale <26, 3, 3>]
+      }
+   }
+   finish { ambient 0 diffuse 0.85 specular 0.10 roughness 0.06 }
+}
+#declare Plaster =
+texture {
+   pigment {
+      bozo
+      color_map {
+         [0.2 rgb <0.300, 0.258, 0.200>]
+         [0.5 rgb <0.335, 0.290, 0.226>]
+         [0.8 rgb <0.350, 0.308, 0.246>]
+      }
+      turbulence 0.7 octaves 8 omega 0.7
+      scale 260
+   }
+   normal {
+      average
+      normal_map {
+         [1.2 granite 0.9 scale 30]
+         [0.8 bumps 0.6 scale 5]
+         [1.0 bumps 0.5 scale 60]
+      }
+   }
+   finish { ambient 0 diffuse 0.85 }
+}
+#declare Stone =
+texture {
+   pigment {
+      granite
+      color_map {
+         [0.10 rgb <0.200, 0.192, 0.174>]
+         [0.40 rgb <0.265, 0.257, 0.236>]
+         [0.60 rgb <0.300, 0.292, 0.270>]
+         [0.80 rgb <0.250, 0.236, 0.210>]
+      }
+      scale 40
+   }
+   normal {
+      average
+      normal_map {
+         [1 granite 0.5 scale 18]
+         [1 bumps 0.25 scale 3]
+      }
+   }
+   finish { ambient 0 diffuse 0.85 specular 0.06 roughness 0.1 }
 }
 
 // ---- sashes: bars about each pane, their inner edges moulded
@@ -86,6 +140,7 @@ texture {
       <-Depth, 0>, <Depth, 0>, <Depth, Width>, <0.35 * Depth, Width>, <-0.35 * Depth, Width>, <-0.45 * Depth, Width - 0.14 * Depth>,
       <-0.62 * Depth, Width - 0.38 * Depth>, <-Depth, Width - 0.60 * Depth>, <-Depth, 0>
       matrix <0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 0>
+      texture { Paint translate <From, 71 * Width, 13 * Length> }
    }
 #end
 
@@ -95,7 +150,6 @@ texture {
       object { Bar(-High.x - Width, -Low.x + Width, Width + Lip, Depth) rotate 180 * z translate (High.y + Width) * y }
       object { Bar(-High.y, -Low.y, Width + Lip, Depth) rotate -90 * z translate (Low.x - Width) * x }
       object { Bar(Low.y, High.y, Width + Lip, Depth) rotate 90 * z translate (High.x + Width) * x }
-      texture { Paint }
    }
 #end
 
@@ -126,7 +180,7 @@ texture {
 
 #declare Half = Row_Width / 2;
 #declare Top = Row_Height + Still_Pane_Reveal[0];
-#declare Wall = -Sill_Depth + 34;   // its inner face; the sill stands out
+#declare Wall = -Sill_Depth + 34;   // its face; the sill stands out
 #declare Large = 10 * (Row_Width + Row_Height);
 union {
    box { <-Half - Large, -Large, Wall>, <-Half, Large, 40> }
@@ -135,16 +189,37 @@ union {
    box { <-Half, -Large, Wall>, <Half, -Drop - 26, 40> }
    texture { Plaster }
 }
+// A stone, its edge worn; the joints of the wall hide its ends.
 union {
-   box { <-Half, -Drop - 26, -Sill_Depth + 7>, <Half, -Drop, 30> }
-   box { <-Half - 45, -Drop - 26, -Sill_Depth + 7>, <Half + 45, -Drop, Wall> }
-   cylinder { <-Half - 45, -Drop - 7, -Sill_Depth + 7>, <Half + 45, -Drop - 7, -Sill_Depth + 7>, 7 }
-   cylinder { <-Half - 45, -Drop - 19, -Sill_Depth + 7>, <Half + 45, -Drop - 19, -Sill_Depth + 7>, 7 }
-   box { <-Half - 45, -Drop - 19, -Sill_Depth>, <Half + 45, -Drop - 7, -Sill_Depth + 7> }
-   texture { Oak }
+   box { <-Half - 45, -Drop - 70, -Sill_Depth>, <Half + 45, -Drop - 6, Wall> }
+   box { <-Half, -Drop - 26, -Sill_Depth + 6>, <Half, -Drop, 30> }
+   box { <-Half - 45, -Drop - 26, -Sill_Depth + 6>, <Half + 45, -Drop, Wall> }
+   cylinder { <-Half - 45, -Drop - 6, -Sill_Depth + 6>, <Half + 45, -Drop - 6, -Sill_Depth + 6>, 6 }
+   texture { Stone }
 }
 
-// ---- outside: a garden out of focus, its light; within: a room that glass reflects
+// ---- within: a dim room, out of focus; at its back a door stands open to a lit hall
+
+#declare Room_Depth = 1.5 * (Row_Width + Row_Height);
+#declare Door_Width = 0.17 * (Row_Width + Row_Height);
+#declare Door_Height = 1.05 * Row_Height;
+#declare Soft = 0.05 * Row_Height;
+#declare Step = function(X) { 1 / (1 + exp(-max(-30, min(30, X)))) }
+plane {
+   -z, 0
+   pigment {
+      function {
+         Step((x + Door_Width / 2) / Soft) * Step((Door_Width / 2 - x) / Soft) * Step((Door_Height - y) / Soft)
+         * (0.55 + 0.45 * Step(x / (4 * Soft))) + 0.05 * exp(-(x * x + y * y) / pow(1.6 * Door_Width, 2))
+      }
+      color_map { [0 rgb <0.007, 0.007, 0.008>] [0.08 rgb <0.020, 0.015, 0.011>] [1 rgb <0.050, 0.029, 0.015>] }
+   }
+   finish { ambient 0 diffuse 0 emission 1 }
+   no_shadow
+   translate <1.95 * Row_Width, 0, Room_Depth>
+}
+
+// ---- outside: a garden, out of focus, and its light
 
 #declare Azimuth = function(X, Z) { X / max(0.05, abs(Z)) }
 #declare Crowns = function(X, Y, Z) {
@@ -175,22 +250,8 @@ pigment {
    function { max(0, min(1, 0.5 + 9 * (y / max(0.05, sqrt(x * x + z * z)) + 0.17 + 0.05 * (f_noise3d(3 * Azimuth(x, z), 0, 9) - 0.5)))) }
    pigment_map { [0.3 Lawn] [0.7 Garden] }
 }
-#declare Room =
-pigment {
-   gradient y
-   pigment_map {
-      [0.40 rgb <0.06, 0.05, 0.04>]
-      [0.60 bozo color_map { [0.4 rgb <0.10, 0.085, 0.07>] [0.75 rgb <0.34, 0.28, 0.22>] } scale 0.45]
-   }
-   translate -0.5 * y scale 2
-}
 //@light <0, 0, 0>
-sky_sphere {
-   pigment {
-      function { select(z, 0, 1) }
-      pigment_map { [0.5 Room] [0.5 Outside] }
-   }
-}
+sky_sphere { pigment { Outside } }
 //@end
 
 #declare Size = max(Row_Width, Row_Height);
@@ -203,45 +264,16 @@ sky_sphere {
    }
 #end
 //@light
-// The morning sun from the upper left outside; the sky; what the room gives back.
+// The morning sun from the left; the sky.
 light_source {
-   <-0.62, 0.78, 1> * 200 * Size, rgb <2.7, 2.35, 1.85>
+   <-0.95, 0.55, -0.9> * 200 * Size, rgb <2.3, 1.95, 1.5>
    #if (Quality > 0)
       area_light x * 1.6 * Size, y * 1.6 * Size, 4, 4 adaptive 1 circular orient
    #end
 }
-Soft_Light(<0.2, 1.1, 2.2> * Size, rgb <0.42, 0.50, 0.62>, 1.2 * Size)
-Soft_Light(<-0.9, 0.9, -2.4> * Size, rgb <0.50, 0.45, 0.39>, 0.8 * Size)
-light_source { <1.3, 0.5, -1.5> * Size, rgb <0.13, 0.13, 0.14> shadowless }
+Soft_Light(<-0.4, 2.6, -2.4> * Size, rgb <0.42, 0.50, 0.62>, 1.2 * Size)
+Soft_Light(<1.6, 0.7, -2.4> * Size, rgb <0.24, 0.27, 0.30>, 0.8 * Size)
 //@end
-
-// ---- the stone, on the sill
-
-#declare Pebble_Size = 0.05 * Size;
-#declare Pebble =
-isosurface {
-   function {
-      sqrt(x * x * 0.62 + y * y * 1.75 + z * z) - 1 + 0.30 * (f_noise3d(1.3 * x, 1.3 * y + 3, 1.3 * z) - 0.5)
-      + 0.05 * (f_noise3d(5 * x, 5 * y, 5 * z) - 0.5)
-   }
-   contained_by { box { -1.5, 1.5 } }
-   max_gradient 2.2
-   texture {
-      pigment {
-         granite
-         color_map { [0 rgb <0.24, 0.225, 0.20>] [0.5 rgb <0.36, 0.345, 0.31>] [0.8 rgb <0.30, 0.27, 0.23>] [1 rgb <0.50, 0.48, 0.44>] }
-         scale 0.7
-      }
-      normal { granite 0.25 scale 0.25 }
-      finish { ambient 0 diffuse 0.85 specular 0.06 roughness 0.12 }
-   }
-}
-object {
-   Pebble
-   rotate 25 * y
-   scale Pebble_Size
-   translate <0.30 * Row_Width, -Drop + 0.66 * Pebble_Size, -0.62 * Sill_Depth>
-}
 
 // ---- camera: at the height of somebody who looks at the damage, all of it in view
 
@@ -252,7 +284,7 @@ object {
 #declare Centre = <0, 0.5 * Row_Height - 0.75 * Drop, -0.25 * Sill_Depth>;
 //@camera <-Row_Width / 2 + Still_Pane_Reveal[0] - Still_Pane_Min[0].x, -Still_Pane_Min[0].y, 0>, <0, 0, 0>
 camera {
-   location Centre + vnormalize(<0.36, 0.24, -1>) * Distance
+   location Centre + vnormalize(<-0.42, -0.10, -1>) * Distance
    right x * Aspect
    up y
    angle Angle

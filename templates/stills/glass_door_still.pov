@@ -11,8 +11,8 @@
 global_settings {
    assumed_gamma 1.0
    // Two faces of the slab, and those of three tubes behind one another with their inner reflections.
-   max_trace_level select(Quality - 1, 10, 16)
-   adc_bailout 1 / 255
+   max_trace_level select(Quality - 1, 8, 16)
+   adc_bailout select(Quality - 1, 1 / 40, 1 / 255)
 }
 
 #include "functions.inc"
@@ -25,7 +25,8 @@ global_settings {
 #declare Centre = (Low.x + High.x) / 2;
 
 // The pane stands with its lower edge at y = 0, its middle at x = 0.
-object { Still_Pane(0) translate <-Centre, -Low.y, 0> }
+// Its dice throw no shadows: rays to lights need not pass thousands of gaps.
+object { Still_Pane(0) no_shadow translate <-Centre, -Low.y, 0> }
 
 //@camera <-Centre, -Low.y, 0>, <0, 0, 0>
 camera {
@@ -85,6 +86,17 @@ union {
    texture { Wall_Texture }
 }
 
+//@light <0, 0, 0>
+// ---- where the scene has no light of its own: flags before the door
+
+box {
+   <-8 * W, -0.5 * W, -9 * W>, <8 * W, -0.02 * W, 0.0>
+   texture {
+      pigment { granite color_map { [0 rgb 0.30] [1 rgb 0.44] } scale W }
+      normal { granite 0.2 scale 0.3 * W }
+      finish { ambient 0 diffuse 0.7 }
+   }
+}
 // ---- the hall behind: tiles, walls, a window at the end, a lamp, a plant in a pot
 
 #declare Long = 4.6 * W;
@@ -148,17 +160,8 @@ union {
    translate <0.80, 0, 2.2> * W
 }
 
-// ---- before the door: flags, and the sky that the glass mirrors
+// ---- the sky that the glass mirrors
 
-box {
-   <-8 * W, -0.5 * W, -9 * W>, <8 * W, -0.02 * W, 0.0>
-   texture {
-      pigment { granite color_map { [0 rgb 0.30] [1 rgb 0.44] } scale W }
-      normal { granite 0.2 scale 0.3 * W }
-      finish { ambient 0 diffuse 0.7 }
-   }
-}
-//@light <0, 0, 0>
 sphere {
    0, 60 * W
    hollow
@@ -171,7 +174,6 @@ sphere {
    }
    finish { ambient 0 diffuse 0 emission 1 }
 }
-//@end
 
 #macro Lamp(Place, Colour, Extent)
    light_source {
@@ -180,7 +182,6 @@ sphere {
    }
 #end
 // The sun high on the left, the globe in the hall, the window at its end: the light from behind is what cracks are seen by.
-//@light
 Lamp(<-4.0, 5.5, -8.0>, <1.00, 0.90, 0.74> * 1.9, 0.5)
 Lamp(<-1.0, 1.75, 1.9>, <1.00, 0.78, 0.50> * 0.55, 0.15)
 Lamp(<0.1, 1.5, 4.4>, <0.80, 0.92, 1.00> * 0.75, 0.6)

@@ -12,7 +12,7 @@ global_settings {
    assumed_gamma 1.0
    // Two faces of the slab, and those of three tubes behind one another with their inner reflections.
    max_trace_level select(Quality - 1, 10, 14)
-   adc_bailout 1 / 255
+   adc_bailout select(Quality - 1, 1 / 40, 1 / 255)
 }
 
 //@model
@@ -36,7 +36,7 @@ texture {
 }
 
 union {
-   object { Still_Pane(0) }
+   object { Still_Pane(0) no_shadow }   // dark as all is within, nobody sees it; and rays to lights need not pass thousands of gaps
    object { Still_Pane_Surround(0, 0.45 * W, 0.05 * W) translate -0.02 * W * z texture { Lining } }
    translate -Middle
    transform { Raked }
@@ -103,7 +103,6 @@ sphere {
    }
    finish { ambient 0 diffuse 0 emission 1 }
 }
-//@end
 
 // Trees and houses on either side, soft at their upper edge, lower towards the vanishing point.
 #declare Skyline_Length = 16;
@@ -202,7 +201,6 @@ Pair(0.40, Eye - 0.12, 0.20, 0.08, <1.0, 0.06, 0.03> * 0.9)
 
 // ---- light that the walls of cracks scatter: the sky over the bonnet, the lamps of the cars that come, a little from within
 
-//@light
 light_source { <0.6, 2.4, 2.2> * W, rgb <0.42, 0.48, 0.66> * 1.15 }
 light_source { <-0.7, -0.15, 3.0> * W, rgb <1.00, 0.88, 0.70> * 0.85 }
 light_source { <1.8, 0.9, 2.4> * W, rgb <1.00, 0.58, 0.26> * 0.55 }

@@ -53,10 +53,13 @@ TEST(ReadScene, APresetBreaksAWindow) {
   const glass::Pane window = read(lines).panes.at(0);
   EXPECT_EQ(window.pattern, glass::Pattern::real);
   EXPECT_EQ(window.thickness_mm, 4.0);
-  EXPECT_TRUE(window.shards.has_value());
+  ASSERT_TRUE(window.shards.has_value());
+  EXPECT_TRUE(window.shards->leaning);
+  EXPECT_EQ(window.crack_sheet.twist_mm, 40.0);
   ASSERT_EQ(window.impacts.size(), 1U);
   EXPECT_EQ(window.impacts[0].at_mm, (vec2{250.0, 350.0}));
   EXPECT_EQ(window.impacts[0].mean_radial_count, 30.0);
+  EXPECT_EQ(window.impacts[0].large_count, 12);
   EXPECT_EQ(window.impacts[0].speed_m_s, 8.0);
   const glass::Pane other =
       read(lines + "thickness_mm = 6\nshards = {enabled = false}\nimpact = [{at_mm = [9, 9], radial_count = 12}]\n")
@@ -65,6 +68,7 @@ TEST(ReadScene, APresetBreaksAWindow) {
   EXPECT_FALSE(other.shards.has_value());
   EXPECT_EQ(other.impacts[0].radial_count, 12);
   EXPECT_FALSE(other.impacts[0].mean_radial_count.has_value());
+  EXPECT_FALSE(other.impacts[0].large_count.has_value());
   EXPECT_EQ(other.impacts[0].ball_diameter_mm, 40.0);
 }
 

@@ -89,9 +89,11 @@ void apply_counts(const glass::Preset& preset, glass::Impact& impact) {
   }
 }
 
-// The count of a window that a stone goes through, where the scene gives none.
+// The counts of a window that a stone goes through, where the scene gives none.
 void apply_counts(const glass::WindowPreset& preset, glass::Impact& impact) {
-  if (!impact.radial_count && !impact.mean_radial_count) impact.mean_radial_count = preset.mean_radial_count;
+  if (impact.radial_count || impact.mean_radial_count) return;
+  impact.mean_radial_count = preset.mean_radial_count;
+  if (!impact.large_count) impact.large_count = preset.large_count;
 }
 
 glass::Impact impact_of(const TomlTable& table, const glass::Pane& pane, const ChosenPreset& preset) {

@@ -1,7 +1,7 @@
-// Arcs are cubic Bézier curves from corner to corner, with the handles that Hobby gives smooth curves (Smooth, Easy to Compute
-// Interpolating Splines, 1986). At a cusp they go straight on for a little, so the angle of the glass there is the one drawn,
-// also where curves are drawn as polygons. The flank along a crack is the crack itself: pieces end half a gap beside it, so no
-// splinter is left of the one that has gone.
+// Arcs are cubic Bézier curves from corner to corner, with half the handles that Hobby gives smooth curves (Smooth, Easy to
+// Compute Interpolating Splines, 1986). At a cusp they go straight on for a little, so the angle of the glass there is the one
+// drawn, also where curves are drawn as polygons. The flank along a crack is the crack itself: pieces end half a gap beside it,
+// so no splinter is left of the one that has gone.
 #include "glass/shards/hole_border.h"
 
 #include <algorithm>
@@ -36,22 +36,22 @@ constexpr double greatest_crack_flank = 0.15;
 constexpr double narrowest = 0.3;
 constexpr double greatest_snap = 0.35;
 // Part of the cusps near radials of which a flank is the radial.
-constexpr double along_cracks = 0.5;
+constexpr double along_cracks = 0.85;
 // A flank that is no crack is no longer than this share of the narrower arc beside it, and hangs over by this at the most.
 constexpr double longest_flank = 0.8;
-constexpr Angle greatest_overhang = Angle::degrees(35.0);
-// At its ends an arc bulges from the way between them: 1 as a circle about the impact does, and a little more.
-constexpr double least_bulge = 0.2;
-constexpr double greatest_bulge = 1.15;
+constexpr Angle greatest_overhang = Angle::degrees(8.0);
+// At its ends an arc bulges from the way between them, as a share of what a circle about the impact does, and a little more.
+constexpr double least_bulge = 0.0;
+constexpr double greatest_bulge = 0.7;
 constexpr Angle more_bulge = Angle::degrees(4.0);
 // By so much the outline turns at the foot of a flank.
 constexpr Angle least_shoulder = Angle::degrees(30.0);
-constexpr Angle greatest_shoulder = Angle::degrees(130.0);
+constexpr Angle greatest_shoulder = Angle::degrees(110.0);
 // Farther than this off the way from the impact a crack makes no flank.
 constexpr Angle greatest_slant = Angle::degrees(28.0);
 constexpr Angle greatest_kink = Angle::degrees(25.0);
 // The foot of a flank that is no crack is rounded over this share of the flank.
-constexpr double rounded_share = 0.45;
+constexpr double rounded_share = 0.15;
 constexpr int rounding_pieces = 6;
 // Cusps are off one distance by up to this share, and holes longer one way than the other.
 constexpr double reach_jitter = 0.2;
@@ -66,6 +66,8 @@ constexpr double flattening = 0.8;
 constexpr double least_along_cracks = 0.6;
 constexpr int arc_pieces = 16;
 constexpr double straight_share = 0.25;  // part of a handle that is straight
+// Handles are so much shorter than those of smooth curves: broken edges run nearly straight and bend near their ends.
+constexpr double shorter_handles = 0.5;
 
 Angle angle_at(Angle low, Angle high, double share) { return low + share * (high - low); }
 
@@ -298,7 +300,7 @@ class Border {
     const Angle chord = Angle::of(b - a);
     const Angle at_a = (chord - from.behind).wrapped();
     const Angle at_b = (to.before - Angle::of(a - b)).wrapped();
-    const double length = handles * glm::length(b - a);
+    const double length = shorter_handles * handles * glm::length(b - a);
     return {a, a + length * handle_share(at_a, at_b) * from.behind.direction(),
             b + length * handle_share(at_b, at_a) * to.before.direction(), b};
   }

@@ -35,7 +35,7 @@ constexpr double least_area = 1.0 / 3.0;
 // Chains of points that stray from a straight side by no more are left out of it: twice the rounding, as in tile_map.h.
 constexpr double straight_chain_mm = 0.003;
 // As thick may be what two tiles have in common: both sides of a seam may be off by as much as a chain. Joints take more.
-constexpr double seam_mm = 0.008;
+constexpr double widest_seam_mm = 0.008;
 constexpr int most_rounds = 30;
 constexpr int rounds_by_halves = 6;
 
@@ -82,7 +82,7 @@ class HandSetting {
     placed.reserve(outlines.size());
     for (const auto& outline : outlines) placed.push_back(*outline);
     std::vector<std::size_t> found;
-    for (const auto& [a, b] : overlapping_pairs(placed, seam_mm)) {
+    for (const auto& [a, b] : overlapping_pairs(placed, widest_seam_mm)) {
       if (lies_as_it_was(a) && lies_as_it_was(b)) continue;
       found.push_back(a);
       found.push_back(b);

@@ -22,7 +22,7 @@ using IndexCorner = boost::geometry::model::point<double, 2, boost::geometry::cs
 using IndexBox = boost::geometry::model::box<IndexCorner>;
 using IndexEntry = std::pair<IndexBox, std::size_t>;
 
-IndexBox box_of(const Polygon& tile) {
+IndexBox index_box_of(const Polygon& tile) {
   const geometry::Box box = geometry::bounding_box(tile);
   return {{box.low.x, box.low.y}, {box.high.x, box.high.y}};
 }
@@ -65,7 +65,7 @@ bool lie_over_one_another(const Polygon& a, const Polygon& b, double seam_mm) {
 
 std::vector<std::pair<std::size_t, std::size_t>> overlapping_pairs(const std::vector<Polygon>& tiles, double seam_mm) {
   std::vector<IndexEntry> entries(tiles.size());
-  for (std::size_t t = 0; t < tiles.size(); ++t) entries[t] = {box_of(tiles[t]), t};
+  for (std::size_t t = 0; t < tiles.size(); ++t) entries[t] = {index_box_of(tiles[t]), t};
   const index::rtree<IndexEntry, index::rstar<16>> tree(entries);
   std::vector<std::vector<std::size_t>> over(tiles.size());
   parallel_for(tiles.size(), [&](std::size_t t) {

@@ -112,34 +112,39 @@ double from_to(double other, double direction) {
   return (Angle::radians(direction) - Angle::radians(other)).wrapped().radians();
 }
 
+// Where side `i` of the crack, from point i - 1 to point i, leaves a circle about the centre.
+vec2 leaving(const Crack& crack, std::size_t i, vec2 centre, double distance_mm) {
+  const vec2 a = crack.points_mm[i - 1] - centre;
+  const vec2 way = crack.points_mm[i] - crack.points_mm[i - 1];
+  const double half = glm::dot(a, way) / glm::dot(way, way);
+  const double rest = (glm::dot(a, a) - distance_mm * distance_mm) / glm::dot(way, way);
+  return geometry::on_lattice(crack.points_mm[i - 1] + (std::sqrt(std::max(half * half - rest, 0.0)) - half) * way);
+}
+
+bool is_within(Angle angle, Angle limit) { return angle <= limit && angle >= -limit; }
+
 // The part of the crack between two distances from the centre, from the inner to the outer; nothing where it does not run
 // outwards all the way.
 std::optional<std::vector<vec2>> flank_along(const Crack& crack, vec2 centre, double from_mm, double to_mm) {
   std::vector<vec2> flank;
   Angle before;
-  const auto at = [&](std::size_t i, double distance_mm) {
-    const vec2 a = crack.points_mm[i - 1] - centre;
-    const vec2 way = crack.points_mm[i] - crack.points_mm[i - 1];
-    const double half = glm::dot(a, way) / glm::dot(way, way);
-    const double rest = (glm::dot(a, a) - distance_mm * distance_mm) / glm::dot(way, way);
-    return geometry::on_lattice(crack.points_mm[i - 1] + (std::sqrt(std::max(half * half - rest, 0.0)) - half) * way);
+  const auto add = [&](vec2 point) {
+    if (flank.empty() || point != flank.back()) flank.push_back(point);
   };
   for (std::size_t i = 1; i < crack.points_mm.size(); ++i) {
     const vec2 a = crack.points_mm[i - 1] - centre;
     const vec2 b = crack.points_mm[i] - centre;
     if (flank.empty() && (glm::length(a) >= from_mm || glm::length(b) < from_mm)) continue;
-    const Angle slant = (Angle::of(b - a) - Angle::of(0.5 * (a + b))).wrapped();
-    if (slant > greatest_slant || slant < -greatest_slant) return std::nullopt;
-    const Angle kink = (Angle::of(b - a) - before).wrapped();
-    if (flank.size() > 1 && (kink > greatest_kink || kink < -greatest_kink)) return std::nullopt;
-    before = Angle::of(b - a);
-    if (flank.empty()) flank.push_back(at(i, from_mm));
+    const Angle on = Angle::of(b - a);
+    if (!is_within((on - Angle::of(0.5 * (a + b))).wrapped(), greatest_slant)) return std::nullopt;
+    if (flank.size() > 1 && !is_within((on - before).wrapped(), greatest_kink)) return std::nullopt;
+    before = on;
+    if (flank.empty()) add(leaving(crack, i, centre, from_mm));
     if (glm::length(b) >= to_mm) {
-      const vec2 last = at(i, to_mm);
-      if (last != flank.back()) flank.push_back(last);
+      add(leaving(crack, i, centre, to_mm));
       return flank.size() < 2 ? std::nullopt : std::optional(flank);
     }
-    if (crack.points_mm[i] != flank.back()) flank.push_back(crack.points_mm[i]);
+    add(crack.points_mm[i]);
   }
   return std::nullopt;
 }

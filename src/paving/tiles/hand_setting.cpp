@@ -65,17 +65,17 @@ class HandSetting {
       }
       if (unsound.empty()) unsound = lying_over_another(outlines);
       if (unsound.empty()) return taken(std::move(outlines));
-      for (const std::size_t t : unsound) {
-        for (const std::uint32_t point : points_near(t)) {
-          double& factor = factors_[point];
-          factor = round < rounds_by_halves ? 0.5 * factor : 0.0;
-        }
-      }
+      for (const std::size_t t : unsound) take_back(t, round < rounds_by_halves ? 0.5 : 0.0);
     }
     return std::nullopt;
   }
 
  private:
+  // What is left of the steps of the points near the tile.
+  void take_back(std::size_t tile, double share) {
+    for (const std::uint32_t point : points_near(tile)) factors_[point] *= share;
+  }
+
   // Those of pairs of which one has moved.
   std::vector<std::size_t> lying_over_another(const std::vector<std::optional<Polygon>>& outlines) const {
     std::vector<Polygon> placed;

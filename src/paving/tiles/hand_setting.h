@@ -15,8 +15,8 @@ namespace shatterpave::paving {
 //   tiles   touch but do not overlap, but for rounding to the lattice
 //   amount  0 … 1; 0 gives them back as they are
 // They touch as before, and cover the same: the same points are on the rim of all, and no tile moves one that it does not share
-// to the bit with those beside it. None is turned over, or smaller than a third of what it was. Each line draws from `seed` and
-// the place where it lies.
+// to the bit with those beside it. None is turned over, lies over another, or is smaller than a third of what it was. Each line
+// draws from `seed` and the place where it lies.
 std::vector<Tile> hand_set(std::vector<Tile> tiles, double amount, std::uint64_t seed, Id pavement);
 
 // The same for cells, of which bends between shared corners are told; the result tells of none.

@@ -82,7 +82,7 @@ TOML
   cat <<'TOML'
 [[pavement]]
 name = "bricks"
-size_mm = [1500, 1500]
+size_mm = [600, 600]
 stone_mm = [30, 15]
 joint_mm = 2
 bond = "running"

@@ -111,13 +111,14 @@ struct Growth {
 
   bool enclosed_tips_stop = true;  // the second stop rule (§4.2.3): where cracks close a region, tips in it stop
 
-  // By the letter of the paper. What of the above has no part in it, scene/schema tells.
+  // The law, and what only the printed one has. Of the other two regions the paper tells no sizes: they reach as far as its
+  // sector, and the rectangle is as wide as that is, 2 · 50 px · sin(50°).
   GrowthLaw law = GrowthLaw::fitted;
-  double time_step = 1.0;                    // dt of eq. 16 and 17, in which a tip turns once
-  LocalRegion region = LocalRegion::sector;  // of the others the paper tells no sizes: they reach as far as its sector, and the
-  double rectangle_length = 50.0;            // rectangle, px ahead of the tip, is as wide as that is, 2 · 50 px · sin(50°)
-  double rectangle_width = 77.0;             // px
-  double circle_radius = 50.0;               // px about the tip
+  double time_step = 1.0;  // dt of eq. 16 and 17, in which a tip turns once
+  LocalRegion region = LocalRegion::sector;
+  double rectangle_length = 50.0;  // px ahead of the tip
+  double rectangle_width = 77.0;   // px
+  double circle_radius = 50.0;     // px about the tip
 
   // The clock of growth: the mean large crack runs at this speed, all others in the proportion that the model gives them. The
   // default is about the limiting speed of cracks in soda-lime glass: Schardin, "Velocity effects in fracture", in Averbach et

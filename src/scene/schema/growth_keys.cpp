@@ -78,8 +78,7 @@ const Section<Growth, PaneFacts> growth_keys{
     "pane[].growth",
     {
         GrowthRow::choice("law", &Growth::law, growth_law_words,
-                          "how cracks grow: fitted to the paper's measured panes, or by the letter of its equations "
-                          "([glass-model.md](glass-model.md))")
+                          "how cracks grow: fitted to the paper's measured panes, or by the letter of its equations")
             .idle(on_real, beside_real),
         of_printed(GrowthRow::number("time_step", &Growth::time_step, {0.001, 100.0},
                                      "dt of the printed law: all tips go on at once for so long, and turn once")),

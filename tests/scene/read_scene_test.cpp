@@ -185,7 +185,15 @@ TEST(ReadScene, EveryGrowthKeyReachesItsValue) {
                                          "edge_gain_px2 = 1501",
                                          "wander_deg = 8",
                                          "ring_pull = 1.1",
-                                         "ring_onset = 2.1"};
+                                         "ring_onset = 2.1",
+                                         "law = \"printed\"",
+                                         "time_step = 0.5",
+                                         "region = \"rectangle\"",
+                                         "region = \"circle\"",
+                                         "rectangle_length_px = 40",
+                                         "rectangle_width_px = 40",
+                                         "circle_radius_px = 40",
+                                         "enclosed_tips_stop = false"};
   const std::string base = "size_mm = [9, 9]\n[[pane.impact]]\nat_mm = [1, 1]\n[pane.growth]\n";
   std::vector<glass::Growth> seen = {glass::Growth{}};
   for (const std::string& key : keys) {

@@ -208,6 +208,9 @@ PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pan
     ++result.impacts[static_cast<std::size_t>(later)].crossing_count;
   }
   result.subject = subject_of(pane);
+  if (result.subject == Subject::experiment && !result.impacts.empty() && result.impacts.front().crossing_count == 0) {
+    result.impacts.front().enclosed_tips = enclosed_tips(network, 0);
+  }
   if (result.subject == Subject::dice) {
     result.fragment_counts = fragment_counts(network, pane);
     result.least_fragment_count = glass::least_fragment_count(pane.thickness_mm);

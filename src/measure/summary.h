@@ -73,6 +73,8 @@ class Totals {
   Distribution turn_extreme_deg_;  // of each six: half of the way from the least turn to the greatest
   Distribution young_turn_deg_;    // of turns near the impacts (young_turns_within)
   Distribution grown_turn_deg_;
+  std::size_t enclosed_tips_ = 0;
+  std::size_t stopped_tips_ = 0;
   std::size_t gaps_ = 0;
   std::size_t narrow_gaps_ = 0;
   std::size_t ring_end_angles_ = 0;

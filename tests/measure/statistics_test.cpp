@@ -133,8 +133,9 @@ TEST(PaneStatistics, EnclosedTipsThatRunOnAreFound) {
   glass::Growth endless;
   endless.enclosed_tips_stop = false;
   const Summary summary = summary_of(60, endless);
-  EXPECT_EQ(verdict(summary, "enclosed_ends"), Verdict::fails);
-  EXPECT_EQ(finding(summary, "enclosed_ends").figure, 0.0);
+  EXPECT_EQ(verdict(summary, "enclosed_tips"), Verdict::fails);
+  EXPECT_EQ(finding(summary, "enclosed_tips").figure, 0.0);
+  EXPECT_EQ(summary.ends.enclosed, 0);
 }
 
 // What the letter of the paper gives: its rules of turning hold, but rings cut large cracks off, and steps of 40 px meet the
@@ -143,7 +144,7 @@ TEST(PaneStatistics, OfThePrintedLawAreThoseThatItIsKnownFor) {
   glass::Growth printed;
   printed.law = glass::GrowthLaw::printed;
   const Summary summary = summary_of(100, printed);
-  for (const std::string_view id : {"young_turns", "turns_in_range", "turn_mean", "enclosed_ends", "crossings"}) {
+  for (const std::string_view id : {"young_turns", "turns_in_range", "turn_mean", "enclosed_tips", "crossings"}) {
     EXPECT_EQ(verdict(summary, id), Verdict::holds) << id;
   }
   for (const std::string_view id : {"large_slope", "reaching_gaps", "edge_angles"}) {

@@ -61,7 +61,7 @@ TEST(Summary, SharesAreOfWhatWasSeen) {
   impact.turn_distances_mm[0] = 20.0;
   impact.turn_distances_mm[1] = 20.0;
   impact.reaching_gap_variation = 0.1;
-  impact.ends = {9, 80, 9, 2};
+  impact.enclosed_tips = {10, 9};
   impact.ring_crack_count = 20;
   impact.held_ring_end_count = 19;
   impact.edge_angles = {Angle::degrees(80.0), Angle::degrees(74.0)};
@@ -82,7 +82,8 @@ TEST(Summary, SharesAreOfWhatWasSeen) {
   EXPECT_EQ(summary.turns_deg_by_distance[1].count(), 2U);
   EXPECT_EQ(summary.turns_deg_by_distance[8].count(), 200U);
   EXPECT_NEAR(finding(summary, "reaching_gaps").figure, 10.0, 1e-12);
-  EXPECT_EQ(finding(summary, "enclosed_ends").figure, 9.0);
+  EXPECT_EQ(finding(summary, "enclosed_tips").figure, 90.0);
+  EXPECT_EQ(finding(summary, "enclosed_tips").verdict, Verdict::fails);
   EXPECT_NEAR(summary.ring_offset_mm.mean(), 60.9 * 0.05, 1e-9);
   EXPECT_EQ(summary.ring_ratios.counts[18] + summary.ring_ratios.counts[17], 1U);
   EXPECT_EQ(summary.turns_deg.counts[40], 100U);  // 5 … 6.25°

@@ -52,8 +52,9 @@ std::string findings_rows(std::span<const measure::Finding> findings, std::strin
         word, word);
     const auto other = std::ranges::find(beside, finding.id, &measure::Finding::id);
     if (other != beside.end()) {
-      put_html(out, "<td class=\"number\"><span class=\"verdict {}\">{}</span></td>", word_of(other->verdict),
-               figure_of(*other));
+      const std::string_view other_word = word_of(other->verdict);
+      put_html(out, "<td class=\"number\">{} <span class=\"verdict {}\">{}</span></td>", figure_of(*other), other_word,
+               other_word);
     }
     put_html(out, "</tr>\n");
   }

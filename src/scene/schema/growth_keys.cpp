@@ -80,7 +80,7 @@ const Section<Growth, PaneFacts> growth_keys{
         GrowthRow::choice("law", &Growth::law, growth_law_words,
                           "how cracks grow: fitted to the paper's measured panes, or by the letter of its equations")
             .idle(on_real, beside_real),
-        of_printed(GrowthRow::number("time_step", &Growth::time_step, {0.001, 100.0},
+        of_printed(GrowthRow::number("time_step", &Growth::time_step, {0.01, 100.0},
                                      "dt of the printed law: all tips go on at once for so long, and turn once")),
         of_printed(GrowthRow::choice("region", &Growth::region, local_region_words,
                                      "what a tip looks into by the printed law: a fan or a rectangle before it, or a circle "

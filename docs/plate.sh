@@ -34,31 +34,6 @@ counts=$(tr -d ' \n' <"$scratch/plate.json" |
 printed=$(awk 'NF { print $3 "," $5 "," $4 }' <<<"$experiments")
 [[ $counts == "$printed" ]] || { say "plate.sh: the panes have other counts than their captions"; exit 1; }
 
-# The cracks of one drawing, as one path a kind: relative, in tenths of a millimetre, which halves the size of the plate and is
-# less than a pixel of it.
-paths() {
-  awk -F'"' '
-    /<polyline class="crack/ {
-      split($2, kind, " ")
-      n = split($6, points, " ")
-      px = py = 0
-      d = ""
-      for (i = 1; i <= n; ++i) {
-        split(points[i], p, ",")
-        x = sprintf("%.0f", 10 * p[1]); y = sprintf("%.0f", 10 * p[2])
-        if (i > 1 && x == px && y == py) continue
-        if (i == 1) d = "M" x " " y "l"
-        else d = d (x - px < 0 || substr(d, length(d)) == "l" ? "" : " ") (x - px) (y - py < 0 ? "" : " ") (y - py)
-        px = x; py = y
-      }
-      all[kind[2]] = all[kind[2]] d
-    }
-    END {
-      split("radial large circular", kinds, " ")
-      for (i = 1; i in kinds; ++i) printf "<path class=\"%s\" d=\"%s\"/>\n", kinds[i], all[kinds[i]]
-    }' "$1"
-}
-
 # Three rows of four panes; each takes 300 mm and 24 mm to the next, and a caption below.
 page() {
   cat <<'HEAD'
@@ -78,7 +53,7 @@ HEAD
     ((column = place % 4, row = place / 4)) || true
     printf '<g transform="translate(%d %d)">\n<rect width="3000" height="3000"/>\n' "$((150 + column * 3300))" "$((150 + row * 3500))"
     printf '<g transform="translate(0 3000)">\n'
-    paths "$scratch/plate-fig$figure$letter.svg"
+    crack_paths "$scratch/plate-fig$figure$letter.svg"
     printf '</g>\n<text x="1500" y="3140">Fig. %s (%s), %s: M %s, R %s, N %s</text>\n' "$figure" "$letter" "$law" "$m" "$r" "$n"
     printf '<text x="1500" y="3265">V1 %s, V2 %s, V3 %s</text>\n</g>\n' "$v1" "$v2" "$v3"
     ((++place))

@@ -35,3 +35,28 @@ end_sheet() {
   mv "$scratch/page.svg" "$target"
   printf '%s\n' "$target"
 }
+
+# crack_paths DRAWING: its cracks, as one path a kind: relative, in tenths of a millimetre, which halves the size of the plate and is
+# less than a pixel of it.
+crack_paths() {
+  awk -F'"' '
+    /<polyline class="crack/ {
+      split($2, kind, " ")
+      n = split($6, points, " ")
+      px = py = 0
+      d = ""
+      for (i = 1; i <= n; ++i) {
+        split(points[i], p, ",")
+        x = sprintf("%.0f", 10 * p[1]); y = sprintf("%.0f", 10 * p[2])
+        if (i > 1 && x == px && y == py) continue
+        if (i == 1) d = "M" x " " y "l"
+        else d = d (x - px < 0 || substr(d, length(d)) == "l" ? "" : " ") (x - px) (y - py < 0 ? "" : " ") (y - py)
+        px = x; py = y
+      }
+      all[kind[2]] = all[kind[2]] d
+    }
+    END {
+      split("radial large circular", kinds, " ")
+      for (i = 1; i in kinds; ++i) printf "<path class=\"%s\" d=\"%s\"/>\n", kinds[i], all[kinds[i]]
+    }' "$1"
+}

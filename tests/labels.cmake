@@ -17,7 +17,7 @@ string(JOIN "|" shatterpave_slow_tests
   "^Fill[.]RefusesEndless" "^InscribedCircle[.]IsAsLarge" "^RegionFault[.](AgreesWith|TakesNearly)"
   # glass
   "^(ClosedRegion|Dice|FallenShards|RealPattern|Topology|Branches|Laminated)[.]" "CrackSurface" "CracksInASlab" "^Bodies" "^CrackMap[.]StaysInside"
-  "^Growth[.](Thousands|Tips)" "^GrowthClock[.]" "Joined" "Shard" "^Radials/Tubes"
+  "^Growth[.](Thousands|Tips)" "^PrintedLaw[.]" "^GrowthClock[.]" "Joined" "Shard" "^Radials/Tubes"
   # paving
   "^(Bonds|BorderCourse|Colouring|Filling|HandLaying|Joining|Laying|Variation)[.]" "EveryBond" "EveryField" "^Steps[.]AreNever" "^StoneBody[.]Rounded"
   "^StoneSurface[.](Split|Covers)"

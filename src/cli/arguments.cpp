@@ -189,6 +189,7 @@ Command measure_of(const Requests& requests) {
     options.seeds = static_cast<std::size_t>(whole_number_of(*seeds, "--seeds", range));
   }
   read_sweep(requests, options);
+  options.both_laws = requests.both_laws;
   const std::filesystem::path output = output_of(requests, "measure");
   return Measure{scene, overrides_of(requests), output, options, threads_of(requests)};
 }

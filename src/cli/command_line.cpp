@@ -106,6 +106,8 @@ void add_measure(CLI::App& app, Requests& requests) {
   add(*command, "--seeds", requests.seed_counts, "N", "Number of seeds, from the scene's (or --seed) on; default 1");
   add(*command, "--radials", requests.radials, "LOW..HIGH",
       "Numbers of radial cracks, from LOW for the first seed to HIGH for the last, instead of what the scene says");
+  command->add_flag("--both-laws", requests.both_laws,
+                    "The other law of growth beside the scene's (as where a pane has law = \"printed\")");
   add_threads(*command, requests);
 }
 

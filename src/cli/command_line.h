@@ -40,6 +40,7 @@ struct Requests {
   Texts chunks;
   Texts ports;
   bool skip_existing = false;
+  bool both_laws = false;
   bool keys_as_json = false;
   bool keys_as_markdown = false;
   Texts manual_forms;

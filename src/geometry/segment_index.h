@@ -10,6 +10,7 @@
 #include "geometry/cell_grid.h"
 #include "geometry/growing_store.h"
 #include "geometry/lattice.h"
+#include "geometry/polygon.h"
 #include "geometry/sector.h"
 
 namespace shatterpave::geometry {
@@ -40,6 +41,13 @@ class SegmentIndex {
   template <typename Visit>
   void visit_near(LatticePoint p, LatticePoint q, Visit visit) const {
     visit_cells(p, q, [&](std::int64_t column, std::int64_t row) { grid_.visit(column, row, visit); });
+  }
+
+  // Calls visit(number) for every segment that may have a point in the box, as visit_near does.
+  template <typename Visit>
+  void visit_in(const Box& box, Visit visit) const {
+    grid_.visit_occupied(cells_of(box.low, box.high),
+                         [&](std::int64_t column, std::int64_t row) { grid_.visit(column, row, visit); });
   }
 
   // The numbers, ascending, of the segments that may have a point in the box about `p` and `q`: all that have, and some more.
@@ -81,6 +89,9 @@ class SegmentIndex {
   std::int64_t cell_size() const { return std::int64_t{1} << cell_bits_; }
   CellBox cells_of(const Sector& sector, double reach) const {
     const auto [low, high] = sector.bounds(reach);
+    return cells_of(low, high);
+  }
+  CellBox cells_of(vec2 low, vec2 high) const {
     const auto cell = [this](double mm) { return cell_of(whole_below(mm * lattice_per_mm)); };
     return {cell(low.x), cell(low.y), cell(high.x), cell(high.y)};
   }

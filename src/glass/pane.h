@@ -22,6 +22,15 @@ enum class Spread { normal, uniform };
 // and d do too, b and c follow from rounding down.
 enum class Rounding { down, nearest, up };
 
+// How tips go on.
+enum class GrowthLaw {
+  fitted,   // as the paper's, but for what was changed so that panes measure as its real ones do (growth/growth.cpp)
+  printed,  // by the letter of the paper (growth/printed_law.h)
+};
+
+// The local region into which a tip looks (§4.2.2). The paper tried all three, and took the sector.
+enum class LocalRegion { sector, rectangle, circle };
+
 // A pixel of the paper's photographs and its lattice: 640 px for a pane of 300 mm (§3.1.2), and as long on a pane of any size.
 inline constexpr double px_mm = 300.0 / 640.0;
 
@@ -99,6 +108,17 @@ struct Growth {
   double ring_onset = 1.25;  // a ring crack starts once every large crack of its impact has stopped, or is this many ring
                              // radii out. At 0 rings cut off 42 % of the large cracks, and N no longer goes with M. In real
                              // panes radials run first, and rings follow as the freed strips bend
+
+  bool enclosed_tips_stop = true;  // the second stop rule (§4.2.3): where cracks close a region, tips in it stop
+
+  // The law, and what only the printed one has. Of the other two regions the paper tells no sizes: they reach as far as its
+  // sector, and the rectangle is as wide as that is, 2 · 50 px · sin(50°).
+  GrowthLaw law = GrowthLaw::fitted;
+  double time_step = 1.0;  // dt of eq. 16 and 17, in which a tip turns once
+  LocalRegion region = LocalRegion::sector;
+  double rectangle_length = 50.0;  // px ahead of the tip
+  double rectangle_width = 77.0;   // px
+  double circle_radius = 50.0;     // px about the tip
 
   // The clock of growth: the mean large crack runs at this speed, all others in the proportion that the model gives them. The
   // default is about the limiting speed of cracks in soda-lime glass: Schardin, "Velocity effects in fracture", in Averbach et

@@ -11,6 +11,7 @@
 #include "measure/crossings.h"
 #include "measure/experiment.h"
 #include "measure/fragments.h"
+#include "measure/pattern_measures.h"
 #include "measure/tracking.h"
 
 namespace shatterpave::measure {
@@ -95,19 +96,46 @@ bool is_second_arm(std::span<const Crack> cracks, std::size_t i) {
          cracks[i].impact == cracks[i - 1].impact && cracks[i].points_mm.front() == cracks[i - 1].points_mm.front();
 }
 
-std::optional<double> radial_spread(const glass::CrackNetwork& network, int impact, const geometry::Polygon& outline) {
+void add_turns(const Crack& crack, ImpactMeasures& result) {
+  const std::vector<vec2> points = tracked(crack.points_mm);
+  const std::vector<Angle> more = turns(points);
+  result.turns.insert(result.turns.end(), more.begin(), more.end());
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    result.turn_distances_mm.push_back(glm::length(points[i + 1] - result.drawn.at_mm));
+  }
+}
+
+std::optional<double> radial_spread(const glass::CrackNetwork& network, int impact, double room_mm) {
   const glass::ImpactCounts& drawn = network.impacts[static_cast<std::size_t>(impact)];
   const double radius = spread_radius_mm(drawn.radial_count);
   // Where the circle leaves the pane, the edge makes gaps.
-  if (nearest_side(drawn.at_mm, outline).distance_mm < radius) return std::nullopt;
+  if (room_mm < radius) return std::nullopt;
   std::vector<Angle> directions = radial_directions(network, impact, radius);
   if (directions.size() < 3) return std::nullopt;
   return gap_ratio(std::move(directions));
 }
 
-void count_gaps(const glass::CrackNetwork& network, int impact, const geometry::Polygon& outline, ImpactMeasures& result) {
+// Where the crack first comes to be that far away from the centre, as a direction from it.
+std::optional<Angle> direction_at(const Crack& crack, vec2 centre, double radius_mm) {
+  const auto out = std::ranges::find_if(crack.points_mm, [&](vec2 p) { return glm::length(p - centre) >= radius_mm; });
+  if (out == crack.points_mm.begin() || out == crack.points_mm.end()) return std::nullopt;
+  return Angle::of(way_out(centre, radius_mm, *(out - 1), *out) - centre);
+}
+
+std::optional<double> variation_of_reaching_gaps(const glass::CrackNetwork& network, int impact, double room_mm) {
+  const vec2 centre = network.impacts[static_cast<std::size_t>(impact)].at_mm;
+  std::vector<Angle> directions;
+  for (const Crack& crack : network.cracks) {
+    if (crack.impact != impact || !is_radial(crack.kind) || crack.end.at != CrackEnd::At::edge) continue;
+    if (const auto direction = direction_at(crack, centre, reaching_circle * room_mm)) directions.push_back(*direction);
+  }
+  if (directions.size() < 3) return std::nullopt;
+  return gap_variation(std::move(directions));
+}
+
+void count_gaps(const glass::CrackNetwork& network, int impact, ImpactMeasures& result) {
   const double radius = narrow_gap_radius_mm(result.drawn.radial_count);
-  if (nearest_side(result.drawn.at_mm, outline).distance_mm < radius) return;
+  if (result.room_mm < radius) return;
   std::vector<Angle> directions = radial_directions(network, impact, radius);
   if (directions.size() < 3) return;
   std::ranges::sort(directions);
@@ -133,6 +161,15 @@ void add_ring_crack(const glass::CrackNetwork& network, std::size_t i, ImpactMea
 
 }  // namespace
 
+bool is_young(const ImpactMeasures& measures, std::size_t i) {
+  return measures.turn_distances_mm[i] <= young_turns_within * measures.room_mm;
+}
+
+bool is_grown(const ImpactMeasures& measures, std::size_t i) {
+  const double distance_mm = measures.turn_distances_mm[i];
+  return distance_mm >= grown_turns_from * measures.room_mm && distance_mm <= grown_turns_within * measures.room_mm;
+}
+
 Subject subject_of(const glass::Pane& pane) {
   const bool as_the_paper = pane.pattern == glass::Pattern::agui1992;
   return std::visit(
@@ -156,13 +193,14 @@ PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pan
     }
     if (is_radial(crack.kind)) add_pixel_turns(crack, origin_mm, of_impact);
     if (is_radial(crack.kind) && crack.end.at == CrackEnd::At::edge) ++of_impact.reaching_count;
-    if (crack.kind != CrackKind::large) continue;
-    const std::vector<Angle> more = turns(tracked(crack.points_mm));
-    of_impact.turns.insert(of_impact.turns.end(), more.begin(), more.end());
+    if (crack.kind == CrackKind::large) add_turns(crack, of_impact);
   }
   for (std::size_t i = 0; i < result.impacts.size(); ++i) {
-    result.impacts[i].gap_ratio = radial_spread(network, static_cast<int>(i), pane.outline_mm);
-    count_gaps(network, static_cast<int>(i), pane.outline_mm, result.impacts[i]);
+    ImpactMeasures& of_impact = result.impacts[i];
+    of_impact.room_mm = nearest_side(of_impact.drawn.at_mm, pane.outline_mm).distance_mm;
+    of_impact.gap_ratio = radial_spread(network, static_cast<int>(i), of_impact.room_mm);
+    of_impact.reaching_gap_variation = variation_of_reaching_gaps(network, static_cast<int>(i), of_impact.room_mm);
+    count_gaps(network, static_cast<int>(i), of_impact);
   }
   const auto impact_of = [&](int crack) { return network.cracks[static_cast<std::size_t>(crack)].impact; };
   for (const Crossing& crossing : crossings(network)) {
@@ -170,6 +208,9 @@ PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pan
     ++result.impacts[static_cast<std::size_t>(later)].crossing_count;
   }
   result.subject = subject_of(pane);
+  if (result.subject == Subject::experiment && !result.impacts.empty() && result.impacts.front().crossing_count == 0) {
+    result.impacts.front().enclosed_tips = enclosed_tips(network, 0);
+  }
   if (result.subject == Subject::dice) {
     result.fragment_counts = fragment_counts(network, pane);
     result.least_fragment_count = glass::least_fragment_count(pane.thickness_mm);
@@ -219,9 +260,7 @@ std::vector<Angle> radial_directions(const glass::CrackNetwork& network, int imp
   std::vector<Angle> directions;
   for (const Crack& crack : network.cracks) {
     if (crack.impact != impact || !is_radial(crack.kind)) continue;
-    const auto out = std::ranges::find_if(crack.points_mm, [&](vec2 p) { return glm::length(p - centre) >= radius_mm; });
-    if (out == crack.points_mm.begin() || out == crack.points_mm.end()) continue;
-    directions.push_back(Angle::of(way_out(centre, radius_mm, *(out - 1), *out) - centre));
+    if (const auto direction = direction_at(crack, centre, radius_mm)) directions.push_back(*direction);
   }
   return directions;
 }

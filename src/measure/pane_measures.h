@@ -7,6 +7,7 @@
 #include "core/angle.h"
 #include "glass/network.h"
 #include "glass/pane.h"
+#include "measure/enclosed_tips.h"
 #include "measure/pattern_measures.h"
 
 namespace shatterpave::measure {
@@ -29,7 +30,9 @@ struct ImpactMeasures {
   int ring_crack_count = 0;               // ring cracks, two to a starting point
   int held_ring_end_count = 0;            // of them those that end on a radial crack or on the edge
   std::vector<double> ring_distances_mm;  // d_i (Fig. 4): of each feature point of the ring cracks from the impact
+  double room_mm = 0.0;                   // from the impact to the nearest side of the pane
   std::vector<Angle> turns;               // θ_i (Fig. 3) along the large cracks
+  std::vector<double> turn_distances_mm;  // of each of them from the impact
   Angle least_pixel_turn;                 // of θ_i along all radials, tracked by whole pixels: 0 or less
   Angle greatest_pixel_turn;              // 0 or more
   std::vector<Angle> edge_angles;         // of each crack that ends on the edge, in its order: see edge_angle
@@ -38,7 +41,9 @@ struct ImpactMeasures {
   std::optional<double> gap_ratio;        // of the radials beyond the ring: see gap_ratio
   int gap_count = 0;                      // between neighbouring radials where they leave the ring: see narrow_gap_radius_mm
   int narrow_gap_count = 0;               // of them those less than a quarter as wide as their mean
-  int crossing_count = 0;                 // crossings with cracks of this impact and of earlier ones; must be 0
+  std::optional<double> reaching_gap_variation;  // of the cracks that reach the edge (rule 2): see reaching_circle
+  EnclosedTips enclosed_tips;                    // of a first impact whose cracks do not cross
+  int crossing_count = 0;                        // crossings with cracks of this impact and of earlier ones; must be 0
 
   bool operator==(const ImpactMeasures&) const = default;
 };
@@ -60,9 +65,13 @@ struct PaneMeasures {
   bool operator==(const PaneMeasures&) const = default;
 };
 
+// Whether the `i`-th of the turns is one near the impact, or one farther out (rule 3): see young_turns_within.
+bool is_young(const ImpactMeasures& measures, std::size_t i);
+bool is_grown(const ImpactMeasures& measures, std::size_t i);
+
 Subject subject_of(const glass::Pane& pane);
 
-// `network` is what grew in `pane`. Less than a millisecond for a pane with M = 105, most of it for the crossings.
+// `network` is what grew in `pane`. About a millisecond for a pane with M = 105, most of it for crossings and closed regions.
 PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pane);
 
 // The angle, 0 … 90°, between the side of the outline on which `crack` ends and the last chord of the crack, which runs from
@@ -82,6 +91,16 @@ double gap_ratio(std::vector<Angle> directions);
 // Where the radial cracks of `impact` first come to be `radius_mm` away from it, as directions from it. Cracks that never do
 // are left out.
 std::vector<Angle> radial_directions(const glass::CrackNetwork& network, int impact, double radius_mm);
+
+// The circle on which the angles between neighbouring cracks that reach the edge are measured (rule 2 of §3.1.3), SD over mean,
+// where three or more do: of the room about the impact, so that all are there, and no edge has turned them yet.
+inline constexpr double reaching_circle = 0.4;
+
+// Turns as young as cracks are nearly straight (rule 3), and full-grown ones, by their distance in units of that room: by eye.
+// Beyond, cracks turn towards the edge.
+inline constexpr double young_turns_within = 1.0 / 6.0;
+inline constexpr double grown_turns_from = 0.4;
+inline constexpr double grown_turns_within = 0.8;
 
 // The circle on which the spread of the radials is measured (rule 7 of §3.2): just beyond where rings lie, 1.3 (eq. 8) times
 // the mean radius of M (eq. 2).

@@ -1,6 +1,7 @@
 // What many panes measure together, held against the measured panes of Agui et al. 1992.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "measure/pattern_totals.h"
 
 namespace shatterpave::measure {
+
+// Turns are told in bands of this width, by their distance from the impact.
+inline constexpr double turn_band_mm = 12.5;
 
 // The figures against the measured panes are of each pane's first impact: the cracks of later ones stop at earlier ones, and no
 // pane of the paper was hit twice. Crossings are those of all impacts.
@@ -27,6 +31,8 @@ struct Summary {
   Histogram ring_ratios{0.0, 0.05, std::vector<std::size_t>(40)};  // 0 … 2
   Distribution turn_deg;                                           // θ
   Histogram turns_deg{-45.0, 1.25, std::vector<std::size_t>(72)};  // ±45°, so that cells end at −22.5° and 27.5°
+  std::array<Distribution, 16> turns_deg_by_distance;              // θ from 0 … 12.5 mm from the impact on (turn_band_mm)
+  Distribution reaching_gap_variation;                             // of the angles between cracks that reach the edge
   Distribution edge_angle_deg;
   Histogram edge_angles_deg{0.0, 2.5, std::vector<std::size_t>(36)};  // 0 … 90°
   Distribution gap_ratio;
@@ -45,6 +51,7 @@ class Totals {
   void add_rings(const ImpactMeasures& impact);
   void add_turns(const ImpactMeasures& impact);
   void add_pixel_turns(const ImpactMeasures& impact);
+  void add_young_findings(std::vector<Finding>& findings) const;
   void add_rule_findings(std::vector<Finding>& findings) const;
 
   Summary sums_;  // but its lines and findings
@@ -64,6 +71,10 @@ class Totals {
   double least_of_six_deg_ = 0.0;
   double greatest_of_six_deg_ = 0.0;
   Distribution turn_extreme_deg_;  // of each six: half of the way from the least turn to the greatest
+  Distribution young_turn_deg_;    // of turns near the impacts (young_turns_within)
+  Distribution grown_turn_deg_;
+  std::size_t enclosed_tips_ = 0;
+  std::size_t stopped_tips_ = 0;
   std::size_t gaps_ = 0;
   std::size_t narrow_gaps_ = 0;
   std::size_t ring_end_angles_ = 0;

@@ -31,6 +31,9 @@ struct ImpactFigures {
   Distribution edge_angle_deg;
   std::optional<double> gap_ratio;
   int crossing_count = 0;
+  Distribution young_turn_deg;  // of turns near the impact, and of those farther out (young_turns_within)
+  Distribution grown_turn_deg;
+  std::optional<double> reaching_gap_variation;
 };
 
 ImpactFigures figures_of(const ImpactMeasures& measures);
@@ -71,6 +74,12 @@ struct SurveyedPavement {
   LayoutMeasures first_measures;
 };
 
+// The same panes, broken by the other law of growth.
+struct OtherLaw {
+  std::string name;  // "printed", "fitted"; "other" where the scene has panes of both
+  Summary summary;   // of all panes together
+};
+
 struct Survey {
   std::string name;  // of the scene: stem of the file names
   std::vector<std::string> pane_names;
@@ -81,7 +90,8 @@ struct Survey {
   std::vector<SurveyedPane> panes;      // seed by seed, in each in the order of the scene
   Summary summary;                      // of all panes together; nothing in it where there are none
   std::vector<Summary> pane_summaries;  // of each pane of the scene
-  std::vector<Specimen> specimens;      // the first panes; in a sweep some from all of it
+  std::optional<OtherLaw> other_law;
+  std::vector<Specimen> specimens;  // the first panes; in a sweep some from all of it
   std::vector<SurveyedPavement> pavements;
 };
 

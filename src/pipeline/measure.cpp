@@ -73,9 +73,28 @@ std::optional<measure::CountLaw> law_of(const scene::Scene& scene) {
   return law;
 }
 
+bool is_printed(const glass::Pane& pane) { return pane.growth.law == glass::GrowthLaw::printed; }
+
+// Whether the pane is of a kind that both laws of growth know.
+bool has_laws(const glass::Pane& pane) {
+  return measure::subject_of(pane) == measure::Subject::experiment && !pane.given_cracks;
+}
+
+// The other law than that of the scene's panes; nothing where it is not asked for.
+std::optional<measure::OtherLaw> other_law_of(const scene::Scene& scene, const MeasureOptions& options) {
+  const auto of_law = [&](bool printed) {
+    return std::ranges::count_if(scene.panes, [&](const glass::Pane& p) { return has_laws(p) && is_printed(p) == printed; });
+  };
+  const bool asked = of_law(true) > 0 || (options.both_laws && of_law(false) > 0);
+  if (!asked) return std::nullopt;
+  if (of_law(true) > 0 && of_law(false) > 0) return measure::OtherLaw{"other", {}};
+  return measure::OtherLaw{of_law(true) > 0 ? "fitted" : "printed", {}};
+}
+
 struct Broken {
   glass::CrackNetwork network;  // kept of specimens only
   measure::PaneMeasures measures;
+  std::optional<measure::PaneMeasures> by_other_law;
 };
 
 class Surveyor {
@@ -87,6 +106,7 @@ class Surveyor {
     survey_.seed_count = options.seeds;
     survey_.sweep = options.sweep;
     if (!options.sweep) survey_.count_law = law_of(scene);
+    survey_.other_law = other_law_of(scene, options);
     for (const glass::Pane& pane : scene.panes) survey_.pane_names.push_back(pane.name);
     survey_.panes.reserve(count());
   }
@@ -100,12 +120,18 @@ class Surveyor {
     result.network = glass::broken(pane, seed_at(index));
     result.measures = measure::measured(result.network, pane);
     if (!is_specimen(index)) result.network = {};
+    if (survey_.other_law && has_laws(pane)) {
+      glass::Pane other = pane;
+      other.growth.law = is_printed(pane) ? glass::GrowthLaw::fitted : glass::GrowthLaw::printed;
+      result.by_other_law = measure::measured(glass::broken(other, seed_at(index)), other);
+    }
     return result;
   }
 
   // Must be called in the order of the panes.
   void add(std::size_t index, Broken broken) {
     totals_.add(broken.measures);
+    if (broken.by_other_law) other_totals_.add(*broken.by_other_law);
     pane_totals_[index % scene_.panes.size()].add(broken.measures);
     measure::SurveyedPane row{seed_at(index), index % scene_.panes.size(), {}};
     for (const measure::ImpactMeasures& impact : broken.measures.impacts) row.impacts.push_back(measure::figures_of(impact));
@@ -117,6 +143,7 @@ class Surveyor {
 
   Survey finished() {
     if (!scene_.panes.empty()) survey_.summary = totals_.summary();
+    if (survey_.other_law) survey_.other_law->summary = other_totals_.summary();
     for (const measure::Totals& totals : pane_totals_) survey_.pane_summaries.push_back(totals.summary());
     return std::move(survey_);
   }
@@ -137,6 +164,7 @@ class Surveyor {
   const MeasureOptions& options_;
   Survey survey_;
   measure::Totals totals_;
+  measure::Totals other_totals_;
   std::vector<measure::Totals> pane_totals_;
 };
 

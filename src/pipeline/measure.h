@@ -19,6 +19,7 @@ struct MeasureOptions {
   std::string scene_file;               // how messages name the scene
   std::size_t seeds = 1;                // 1 … most_seeds
   std::optional<measure::Sweep> sweep;  // M in place of what the scene says; N and R then follow from it
+  bool both_laws = false;               // the other law of growth beside the scene's, also where no pane has law = "printed"
 };
 
 // Breaks every pane of `scene` and lays every pavement with `options.seeds` seeds, from the scene's own on. Throws InputError

@@ -39,16 +39,24 @@ Json histogram_data(const measure::Histogram& histogram) {
   return cells;
 }
 
-std::string findings_rows(std::span<const measure::Finding> findings, std::string_view prefix) {
+std::string findings_rows(std::span<const measure::Finding> findings, std::string_view prefix,
+                          std::span<const measure::Finding> beside) {
   Buffer out;
   for (const measure::Finding& finding : findings) {
     const std::string_view word = word_of(finding.verdict);
     put_html(
         out,
         "<tr id=\"{}{}\"><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{} {}</td>"
-        "<td><span class=\"verdict {}\">{}</span></td></tr>\n",
+        "<td><span class=\"verdict {}\">{}</span></td>",
         prefix, finding.id, finding.quantity, target_of(finding), figure_of(finding), grouped(finding.count), finding.counted,
         word, word);
+    const auto other = std::ranges::find(beside, finding.id, &measure::Finding::id);
+    if (other != beside.end()) {
+      const std::string_view other_word = word_of(other->verdict);
+      put_html(out, "<td class=\"number\">{} <span class=\"verdict {}\">{}</span></td>", figure_of(*other), other_word,
+               other_word);
+    }
+    put_html(out, "</tr>\n");
   }
   return fmt::to_string(out);
 }

@@ -35,8 +35,10 @@ double rounded(double value);
 // Cells that hold something, as [from, to, percentage].
 Json histogram_data(const measure::Histogram& histogram);
 
-// Rows of the table of findings. Their ids are those of the findings after `prefix`.
-std::string findings_rows(std::span<const measure::Finding> findings, std::string_view prefix = "");
+// Rows of the table of findings. Their ids are those of the findings after `prefix`. Where there are findings `beside` them, a
+// last column has the figure of that with the same id.
+std::string findings_rows(std::span<const measure::Finding> findings, std::string_view prefix = "",
+                          std::span<const measure::Finding> beside = {});
 
 // "11 of 12 hold, 1 fail".
 std::string verdict_words(std::span<const measure::Finding> findings);

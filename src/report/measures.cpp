@@ -29,7 +29,8 @@ constexpr std::string_view csv_head =
     "open,"
     "ring_cracks,ring_cracks_held,ring_points,ring_radius_mean_mm,ring_radius_sd_mm,ring_radius_min_mm,ring_radius_max_mm,"
     "turns,turn_mean_deg,turn_sd_deg,turn_min_deg,turn_max_deg,"
-    "edge_angles,edge_angle_mean_deg,edge_angle_sd_deg,edge_angle_min_deg,edge_angle_max_deg,gap_ratio,crossings\n";
+    "edge_angles,edge_angle_mean_deg,edge_angle_sd_deg,edge_angle_min_deg,edge_angle_max_deg,gap_ratio,crossings,"
+    "young_turns,young_turn_sd_deg,grown_turns,grown_turn_sd_deg,reaching_gap_variation\n";
 
 void put_csv(fmt::memory_buffer& out, const ImpactFigures& f) {
   const auto at = std::back_inserter(out);
@@ -41,7 +42,14 @@ void put_csv(fmt::memory_buffer& out, const ImpactFigures& f) {
   put_csv(out, f.edge_angle_deg);
   fmt::format_to(at, ",");
   if (f.gap_ratio) fmt::format_to(at, "{}", *f.gap_ratio);
-  fmt::format_to(at, ",{}\n", f.crossing_count);
+  fmt::format_to(at, ",{}", f.crossing_count);
+  for (const Distribution* turns : {&f.young_turn_deg, &f.grown_turn_deg}) {
+    fmt::format_to(at, ",{},", turns->count());
+    if (turns->count() > 1) fmt::format_to(at, "{}", turns->deviation());
+  }
+  fmt::format_to(at, ",");
+  if (f.reaching_gap_variation) fmt::format_to(at, "{}", *f.reaching_gap_variation);
+  fmt::format_to(at, "\n");
 }
 
 Json line_json(const measure::Line& line) {
@@ -52,6 +60,17 @@ Json line_json(const measure::Line& line) {
           {"correlation", line.correlation},
           {"slope_error", number(line.slope_error)},
           {"intercept_error", number(line.intercept_error)}};
+}
+
+Json turn_bands_json(const measure::Summary& s) {
+  Json bands = Json::array();
+  for (std::size_t i = 0; i < s.turns_deg_by_distance.size(); ++i) {
+    const double from_mm = static_cast<double>(i) * measure::turn_band_mm;
+    Json band = {{"from_mm", from_mm}, {"to_mm", from_mm + measure::turn_band_mm}};
+    band.update(json_of(s.turns_deg_by_distance[i]));
+    bands.push_back(std::move(band));
+  }
+  return bands;
 }
 
 Json summary_json(const measure::Summary& s) {
@@ -65,6 +84,8 @@ Json summary_json(const measure::Summary& s) {
           {"ring_radius_ratio_histogram", json_of(s.ring_ratios)},
           {"turn_deg", json_of(s.turn_deg)},
           {"turn_deg_histogram", json_of(s.turns_deg)},
+          {"turn_deg_by_distance", turn_bands_json(s)},
+          {"reaching_gap_variation", json_of(s.reaching_gap_variation)},
           {"edge_angle_deg", json_of(s.edge_angle_deg)},
           {"edge_angle_deg_histogram", json_of(s.edge_angles_deg)},
           {"gap_ratio", json_of(s.gap_ratio)},
@@ -108,6 +129,11 @@ std::string measures_json(const measure::Survey& survey) {
   if (survey.sweep) radials = {survey.sweep->low, survey.sweep->high};
   Json law = nullptr;
   if (survey.count_law) law = {{"mean", survey.count_law->mean}, {"dispersion", survey.count_law->dispersion}};
+  Json other_law = nullptr;
+  if (survey.other_law) {
+    other_law = {{"law", survey.other_law->name}};
+    other_law.update(summary_json(survey.other_law->summary));
+  }
   Json pavements = Json::array();
   for (const measure::SurveyedPavement& pavement : survey.pavements) pavements.push_back(pavement_json(pavement));
   const Json document = {{"format", "shatterpave-measures"},
@@ -118,6 +144,7 @@ std::string measures_json(const measure::Survey& survey) {
                          {"radials", radials},
                          {"radial_count_law", law},
                          {"all", survey.panes.empty() ? Json(nullptr) : summary_json(survey.summary)},
+                         {"other_law", other_law},
                          {"panes", panes},
                          {"pavements", pavements}};
   return document.dump(1) + "\n";

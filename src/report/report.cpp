@@ -224,6 +224,35 @@ std::string count_words(const Survey& survey) {
                      survey.count_law->dispersion);
 }
 
+// The column of findings by the other law.
+std::string other_law_head(const Survey& survey) {
+  if (!survey.other_law) return "";
+  return fmt::format("<th class=\"number\">By the law “{}”</th>", escaped(survey.other_law->name));
+}
+
+// SD of the turns in each band about the impact.
+std::string turn_band_rows(const Survey& survey) {
+  Buffer out;
+  const auto put_cell = [&](const measure::Distribution& turns) {
+    if (turns.count() < 2) {
+      put_html(out, "<td class=\"number\">–</td>");
+    } else {
+      put_html(out, "<td class=\"number\">{:.2f}</td>", turns.deviation());
+    }
+  };
+  const auto& bands = survey.summary.turns_deg_by_distance;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    if (bands[i].count() == 0) continue;
+    const double from_mm = static_cast<double>(i) * measure::turn_band_mm;
+    put_html(out, "<tr><td>{:g} … {:g} mm</td><td class=\"number\">{}</td>", from_mm, from_mm + measure::turn_band_mm,
+             grouped(bands[i].count()));
+    put_cell(bands[i]);
+    if (survey.other_law) put_cell(survey.other_law->summary.turns_deg_by_distance[i]);
+    put_html(out, "</tr>\n");
+  }
+  return fmt::to_string(out);
+}
+
 std::string pane_section(const Survey& survey) {
   const measure::Distribution& counts = survey.summary.radial_count;
   std::string section{embedded_text("measures_panes.html")};
@@ -232,7 +261,12 @@ std::string pane_section(const Survey& survey) {
        fmt::format("{:.0f} … {:.0f}, mean {:.1f}, variance / mean {:.1f}; {}", counts.least(), counts.greatest(), counts.mean(),
                    counts.variance() / std::max(counts.mean(), 1.0), count_words(survey)));
   fill(section, "verdicts", verdict_words(survey.summary.findings));
-  fill(section, "findings", findings_rows(survey.summary.findings));
+  fill(section, "other_law", other_law_head(survey));
+  fill(section, "findings",
+       survey.other_law ? findings_rows(survey.summary.findings, "", survey.other_law->summary.findings)
+                        : findings_rows(survey.summary.findings));
+  fill(section, "turn_bands_other_law", other_law_head(survey));
+  fill(section, "turn_bands", turn_band_rows(survey));
   fill(section, "sample", survey.panes.size() > most_points ? fmt::format(" Points: the first {} panes.", most_points) : "");
   fill(section, "law", survey.sweep ? ", which were set" : ". Thin line: Poisson with their mean (eq. 5)");
   fill(section, "pane_rows", pane_rows(survey));

@@ -138,5 +138,52 @@ TEST(RadialDirections, AreWhereCracksFirstLeaveTheCircle) {
   EXPECT_DOUBLE_EQ(spread_radius_mm(100), 1.3 * 60.9);
 }
 
+// A square of ring cracks and radials in which one tip stopped and one was left, and a tip outside of it.
+TEST(PaneMeasures, TipsWithinClosedRegionsAreToldFromOthers) {
+  glass::CrackNetwork network;
+  network.impacts = {{{150.0, 150.0}, 4, 0, 1}};
+  add(network, CrackKind::radial, {{150, 150}, {180, 150}, {200, 150}}, {CrackEnd::At::open, {}});
+  add(network, CrackKind::radial, {{150, 150}, {150, 180}}, {CrackEnd::At::crack, 4});
+  add(network, CrackKind::radial, {{150, 150}, {160, 165}}, {CrackEnd::At::enclosed, {}});
+  add(network, CrackKind::radial, {{150, 150}, {165, 160}, {170, 165}}, {CrackEnd::At::open, {}});
+  add(network, CrackKind::circular, {{180, 180}, {150, 180}}, {CrackEnd::At::crack, 1});
+  add(network, CrackKind::circular, {{180, 180}, {180, 150}}, {CrackEnd::At::crack, 0});
+  EXPECT_EQ(measured(network, square_pane()).impacts[0].enclosed_tips, (EnclosedTips{2, 1}));
+  // The edge closes nothing.
+  network.cracks[5].end = {CrackEnd::At::open, {}};
+  network.cracks[5].points_mm.back() = {180, 151};
+  EXPECT_EQ(measured(network, square_pane()).impacts[0].enclosed_tips, EnclosedTips{});
+}
+
+TEST(PaneMeasures, AnglesBetweenCracksThatReachTheEdge) {
+  glass::CrackNetwork network;
+  network.impacts = {{{150.0, 150.0}, 4, 3, 0}};
+  const auto add_at = [&](double degrees, double length, CrackEnd::At end) {
+    add(network, CrackKind::large, {{150, 150}, vec2{150, 150} + length * Angle::degrees(degrees).direction()}, {end, {}});
+  };
+  add_at(0.0, 150.0, CrackEnd::At::edge);
+  add_at(90.0, 150.0, CrackEnd::At::edge);
+  add_at(45.0, 100.0, CrackEnd::At::open);
+  EXPECT_EQ(measured(network, square_pane()).impacts[0].reaching_gap_variation, std::nullopt);
+  add_at(180.0, 150.0, CrackEnd::At::edge);
+  // 90, 90 and 180°.
+  EXPECT_NEAR(measured(network, square_pane()).impacts[0].reaching_gap_variation.value(), std::sqrt(2.0) / 4.0, 0.1);
+  network.cracks[2].end.at = CrackEnd::At::edge;
+  // 45, 45, 90 and 180°.
+  EXPECT_GT(measured(network, square_pane()).impacts[0].reaching_gap_variation.value(), 0.55);
+}
+
+TEST(PaneMeasures, TurnsAreYoungNearTheImpact) {
+  const ImpactMeasures impact = measured(hand_made(), square_pane()).impacts[0];
+  ASSERT_EQ(impact.turn_distances_mm.size(), impact.turns.size());
+  EXPECT_EQ(impact.room_mm, 150.0);
+  EXPECT_NEAR(impact.turn_distances_mm[0], chord_mm, 1e-9);
+  EXPECT_NEAR(impact.turn_distances_mm[9], 10.0 * chord_mm, 1e-9);
+  EXPECT_TRUE(is_young(impact, 0) && is_young(impact, 4));  // 5 × 4.69 mm, of 25
+  EXPECT_FALSE(is_young(impact, 5) || is_grown(impact, 5));
+  EXPECT_TRUE(is_grown(impact, 12) && is_grown(impact, 24));  // 60 … 120 mm
+  EXPECT_FALSE(is_grown(impact, 11) || is_grown(impact, 25));
+}
+
 }  // namespace
 }  // namespace shatterpave::measure

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "core/random.h"
 #include "glass/breaking.h"
 #include "measure/summary.h"
 
@@ -102,6 +103,55 @@ TEST(PaneStatistics, RingsThatNothingHoldsToTheirCircleAreFound) {
   glass::Growth loose;
   loose.ring_pull = 0.0;
   EXPECT_EQ(verdict(summary_of(100, loose), "ring_strays"), Verdict::fails);
+}
+
+// Rule 3 without eq. 19: cracks turn as readily near the impact as farther out.
+TEST(PaneStatistics, YoungCracksThatTurnAreFound) {
+  glass::Growth ready;
+  ready.weight_time = 0.01;
+  EXPECT_EQ(verdict(summary_of(60, ready), "young_turns"), Verdict::fails);
+}
+
+// Rule 2: large cracks in random directions; and every other one cut off by rings that start at once.
+TEST(PaneStatistics, UnevenLargeCracksAreFound) {
+  const Change scatter = [](glass::CrackNetwork& network) {
+    for (glass::Crack& crack : network.cracks) {
+      if (crack.kind != glass::CrackKind::large) continue;
+      const vec2 centre = crack.points_mm.front();
+      const double share = uniform(5, {Stream::turn, Id("scatter").child(static_cast<std::uint64_t>(crack.id))});
+      for (vec2& p : crack.points_mm) p = centre + rotated(p - centre, Angle::radians(2.0 * pi * share));
+    }
+  };
+  EXPECT_EQ(verdict(summary_of(60, {}, scatter), "reaching_gaps"), Verdict::fails);
+  glass::Growth early;
+  early.ring_onset = 0.0;
+  EXPECT_EQ(verdict(summary_of(60, early), "reaching_gaps"), Verdict::fails);
+}
+
+// The second stop rule left out: tips in closed regions run on.
+TEST(PaneStatistics, EnclosedTipsThatRunOnAreFound) {
+  glass::Growth endless;
+  endless.enclosed_tips_stop = false;
+  const Summary summary = summary_of(60, endless);
+  EXPECT_EQ(verdict(summary, "enclosed_tips"), Verdict::fails);
+  EXPECT_EQ(finding(summary, "enclosed_tips").figure, 0.0);
+  EXPECT_EQ(summary.ends.enclosed, 0);
+}
+
+// What the letter of the paper gives: its rules of turning hold, but rings cut large cracks off, and steps of 40 px meet the
+// edge at any angle. At a quarter of the step they meet it squarely.
+TEST(PaneStatistics, OfThePrintedLawAreThoseThatItIsKnownFor) {
+  glass::Growth printed;
+  printed.law = glass::GrowthLaw::printed;
+  const Summary summary = summary_of(100, printed);
+  for (const std::string_view id : {"young_turns", "turns_in_range", "turn_mean", "enclosed_tips", "crossings"}) {
+    EXPECT_EQ(verdict(summary, id), Verdict::holds) << id;
+  }
+  for (const std::string_view id : {"large_slope", "reaching_gaps", "edge_angles"}) {
+    EXPECT_EQ(verdict(summary, id), Verdict::fails) << id;
+  }
+  printed.time_step = 0.25;
+  EXPECT_EQ(verdict(summary_of(60, printed), "edge_angles"), Verdict::holds);
 }
 
 // θ of all radials of six panes at a time with the M of cr_1 … cr_6: the paper saw −22.5 … 27.5°.

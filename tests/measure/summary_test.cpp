@@ -21,7 +21,7 @@ Verdict verdict(const Totals& totals, std::string_view id) { return finding(tota
 
 TEST(Summary, OfNothingIsOpen) {
   const Summary summary = Totals().summary();
-  EXPECT_EQ(summary.findings.size(), 16U);
+  EXPECT_EQ(summary.findings.size(), 19U);
   for (const Finding& finding : summary.findings) EXPECT_EQ(finding.verdict, Verdict::open) << finding.id;
   EXPECT_THROW(finding(summary, "none"), BrokenInvariant);
 }
@@ -56,6 +56,12 @@ TEST(Summary, SharesAreOfWhatWasSeen) {
   for (int i = 0; i < 200; ++i) impact.turns.push_back(Angle::degrees(i % 2 == 0 ? 5.0 : -5.0));
   impact.turns.push_back(Angle::degrees(27.4));
   impact.turns.push_back(Angle::degrees(-22.6));
+  impact.room_mm = 150.0;
+  impact.turn_distances_mm.resize(202, 100.0);
+  impact.turn_distances_mm[0] = 20.0;
+  impact.turn_distances_mm[1] = 20.0;
+  impact.reaching_gap_variation = 0.1;
+  impact.enclosed_tips = {10, 9};
   impact.ring_crack_count = 20;
   impact.held_ring_end_count = 19;
   impact.edge_angles = {Angle::degrees(80.0), Angle::degrees(74.0)};
@@ -71,6 +77,13 @@ TEST(Summary, SharesAreOfWhatWasSeen) {
   EXPECT_EQ(finding(summary, "ring_ends").verdict, Verdict::holds);
   EXPECT_EQ(finding(summary, "edge_angles").verdict, Verdict::fails);
   EXPECT_EQ(finding(summary, "radial_gaps").figure, 0.25);
+  EXPECT_EQ(finding(summary, "young_turns").count, 2U);
+  EXPECT_EQ(finding(summary, "young_turns").verdict, Verdict::fails) << "they turn as the others do";
+  EXPECT_EQ(summary.turns_deg_by_distance[1].count(), 2U);
+  EXPECT_EQ(summary.turns_deg_by_distance[8].count(), 200U);
+  EXPECT_NEAR(finding(summary, "reaching_gaps").figure, 10.0, 1e-12);
+  EXPECT_EQ(finding(summary, "enclosed_tips").figure, 90.0);
+  EXPECT_EQ(finding(summary, "enclosed_tips").verdict, Verdict::fails);
   EXPECT_NEAR(summary.ring_offset_mm.mean(), 60.9 * 0.05, 1e-9);
   EXPECT_EQ(summary.ring_ratios.counts[18] + summary.ring_ratios.counts[17], 1U);
   EXPECT_EQ(summary.turns_deg.counts[40], 100U);  // 5 … 6.25°

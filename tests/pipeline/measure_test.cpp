@@ -55,6 +55,24 @@ TEST(Surveyed, SweepsTheRadialsEvenly) {
   EXPECT_EQ(surveyed(scene_of(), {"s.toml", 1, measure::Sweep{10, 20}}).panes[0].impacts[0].drawn.radial_count, 10);
 }
 
+// By default where the scene has a pane by the letter of the paper, else if asked; tempered and real panes know one law only.
+TEST(Surveyed, SetsTheOtherLawBesideThatOfTheScene) {
+  const std::string printed = "[pane.growth]\nlaw = \"printed\"\n";
+  EXPECT_FALSE(surveyed(scene_of(), {"s.toml", 2, {}}).other_law);
+  const measure::Survey asked = surveyed(scene_of(), {"s.toml", 2, {}, true});
+  const measure::Survey by_default = surveyed(scene_of(printed), {"s.toml", 2, {}});
+  ASSERT_TRUE(asked.other_law && by_default.other_law);
+  EXPECT_EQ(asked.other_law->name, "printed");
+  EXPECT_EQ(by_default.other_law->name, "fitted");
+  EXPECT_EQ(asked.other_law->summary.findings, by_default.summary.findings);
+  EXPECT_EQ(by_default.other_law->summary.findings, asked.summary.findings);
+  EXPECT_NE(asked.summary.turn_deg, by_default.summary.turn_deg);
+  EXPECT_EQ(surveyed(scene_of(printed + std::string(second_pane)), {"s.toml", 2, {}}).other_law->name, "other");
+  scene::Scene tempered = scene_of(printed);
+  tempered.panes[0].glass = glass::Tempered{};
+  EXPECT_FALSE(surveyed(tempered, {"s.toml", 1, {}, true}).other_law);
+}
+
 // More panes than a batch, in any number of threads.
 TEST(SurveyThreads, DoNotShow) {
   const scene::Scene scene = scene_of(second_pane);

@@ -31,6 +31,9 @@ measure::Survey small_survey() {
   full.held_ring_end_count = 9;
   full.ring_distances_mm = {60.0, 62.0};
   full.turns = {Angle::radians(0.0), Angle::radians(0.0)};
+  full.room_mm = 1.0;
+  full.turn_distances_mm = {0.1, 0.5};
+  full.reaching_gap_variation = 0.125;
   full.gap_ratio = 0.25;
   measure::ImpactMeasures bare;
   bare.drawn = {{1.0, 1.0}, 24, 5, 0};
@@ -57,10 +60,10 @@ TEST(Measures, CsvHasOneRowForEachImpactAndIsEmptyWhereNothingWasMeasured) {
   const std::string csv = measures_csv(small_survey());
   const std::size_t rows = csv.find('\n') + 1;
   EXPECT_EQ(csv.substr(rows),
-            "7,window,0,100,9,5,8,8,2,1,99,10,9,2,61,1.4142135623730951,60,62,2,0,0,0,0,0,,,,,0.25,0\n"
-            "8,window,0,24,5,0,0,0,0,0,0,0,0,0,,,,,0,,,,,0,,,,,,0\n");
+            "7,window,0,100,9,5,8,8,2,1,99,10,9,2,61,1.4142135623730951,60,62,2,0,0,0,0,0,,,,,0.25,0,1,,1,,0.125\n"
+            "8,window,0,24,5,0,0,0,0,0,0,0,0,0,,,,,0,,,,,0,,,,,,0,0,,0,,\n");
   const std::string head = csv.substr(0, rows);
-  EXPECT_EQ(std::ranges::count(head, ','), 29);
+  EXPECT_EQ(std::ranges::count(head, ','), 34);
   EXPECT_TRUE(head.starts_with("seed,pane,impact,radial_count,large_count,circular_count,reaching_count,"));
 }
 
@@ -72,8 +75,11 @@ TEST(Measures, JsonHoldsTheFindings) {
   EXPECT_EQ(json.at("seeds"), 2);
   EXPECT_TRUE(json.at("radials").is_null());
   EXPECT_EQ(json.at("panes").at(0).at("name"), "window");
+  EXPECT_TRUE(json.at("other_law").is_null());
+  EXPECT_EQ(json.at("all").at("turn_deg_by_distance").at(0).at("to_mm"), 12.5);
+  EXPECT_EQ(json.at("all").at("turn_deg_by_distance").at(0).at("count"), 2);
   const nlohmann::json& findings = json.at("all").at("findings");
-  ASSERT_EQ(findings.size(), 16U);
+  ASSERT_EQ(findings.size(), 19U);
   EXPECT_EQ(findings[0].at("id"), "large_slope");
   EXPECT_EQ(findings[0].at("verdict"), "open");
   EXPECT_EQ(findings[0].at("standard_error"), nullptr) << "two points have no error";
@@ -98,6 +104,10 @@ TEST(Measures, ReportIsWholeAndEscaped) {
   if (!has_plots()) return;
   const std::string page = measures_report(small_survey());
   EXPECT_EQ(page.find("<!--@"), std::string::npos) << "a mark was left";
+  EXPECT_EQ(page.find("By the law"), std::string::npos);
+  measure::Survey both = small_survey();
+  both.other_law = measure::OtherLaw{"printed", both.summary};
+  EXPECT_NE(measures_report(both).find("<th class=\"number\">By the law “printed”</th>"), std::string::npos);
   EXPECT_NE(page.find("<h1>a&amp;b</h1>"), std::string::npos);
   EXPECT_NE(page.find("Redistribution and use in source and binary forms"), std::string::npos);
   // Five script elements, each ended once: nothing in the libraries ends one before.

@@ -155,37 +155,17 @@ TEST(ReadScene, WindingClosingAndRepeatedPointsDoNotMatter) {
 
 TEST(ReadScene, EveryGrowthKeyReachesItsValue) {
   // Each key in turn, set to a value that is not its default: the result must differ from the default.
-  const std::vector<std::string> keys = {"spread = \"uniform\"",
-                                         "spread_limit = 0.25",
-                                         "spread_deviation = 0.31",
-                                         "large_speed_px = 41",
-                                         "radial_speed_px = 11",
-                                         "circular_speed_px = 12",
-                                         "sector_angle_deg = 90",
-                                         "sector_radius_px = 51",
-                                         "turn_limit_deg = 29",
-                                         "weight_time = 11",
-                                         "step_length_px = 3",
-                                         "reference_radial_count = 90",
-                                         "energy_exponent = 1",
-                                         "count_dispersion = 2",
-                                         "count_law = \"table1\"",
-                                         "circular_threshold = 71",
-                                         "circular_slope = 0.06",
-                                         "circular_offset = 0.6",
-                                         "large_slope = 0.07",
-                                         "large_offset = 3.5",
-                                         "large_deviation = 1",
-                                         "large_rounding = \"down\"",
-                                         "ring_radius_slope_mm = 0.5",
-                                         "ring_radius_offset_mm = 14",
-                                         "tip_gain_px2 = 41",
-                                         "crack_gain_px2 = 61",
-                                         "sibling_gain_px2 = 1",
-                                         "edge_gain_px2 = 1501",
-                                         "wander_deg = 8",
-                                         "ring_pull = 1.1",
-                                         "ring_onset = 2.1"};
+  const std::vector<std::string> keys = {
+      "spread = \"uniform\"",    "spread_limit = 0.25",       "spread_deviation = 0.31",    "large_speed_px = 41",
+      "radial_speed_px = 11",    "circular_speed_px = 12",    "sector_angle_deg = 90",      "sector_radius_px = 51",
+      "turn_limit_deg = 29",     "weight_time = 11",          "step_length_px = 3",         "reference_radial_count = 90",
+      "energy_exponent = 1",     "count_dispersion = 2",      "count_law = \"table1\"",     "circular_threshold = 71",
+      "circular_slope = 0.06",   "circular_offset = 0.6",     "large_slope = 0.07",         "large_offset = 3.5",
+      "large_deviation = 1",     "large_rounding = \"down\"", "ring_radius_slope_mm = 0.5", "ring_radius_offset_mm = 14",
+      "tip_gain_px2 = 41",       "crack_gain_px2 = 61",       "sibling_gain_px2 = 1",       "edge_gain_px2 = 1501",
+      "wander_deg = 8",          "ring_pull = 1.1",           "ring_onset = 2.1",           "law = \"printed\"",
+      "time_step = 0.5",         "region = \"rectangle\"",    "region = \"circle\"",        "rectangle_length_px = 40",
+      "rectangle_width_px = 40", "circle_radius_px = 40",     "enclosed_tips_stop = false"};
   const std::string base = "size_mm = [9, 9]\n[[pane.impact]]\nat_mm = [1, 1]\n[pane.growth]\n";
   std::vector<glass::Growth> seen = {glass::Growth{}};
   for (const std::string& key : keys) {
@@ -402,6 +382,34 @@ TEST(ReadScene, APlaceIsToldToHaveNoEffectOnStillsOfOtherSettings) {
   EXPECT_EQ(located(other.notes[0]),
             "s.toml:1:61: pane[0].place_turn_deg: note: has no effect on stills but those of the setting \"own\"");
   EXPECT_TRUE(scene_of_text(placed + "still.setting = \"own\"", "s.toml").notes.empty());
+}
+
+// Each law of growth has keys that are nothing to the other.
+TEST(ReadScene, KeysOfTheOtherLawAreToldToHaveNoEffect) {
+  const auto notes = [](const std::string& keys, const std::string& more = "") {
+    const std::string pane = "[[pane]]\nname = \"w\"\nsize_mm = [300, 300]\nimpact = [{at_mm = [9, 9]}]\n" + more;
+    std::string told;
+    for (const Note& note : scene_of_text(pane + "[pane.growth]\n" + keys, "s.toml").notes) told += located(note) + "\n";
+    return told;
+  };
+  const std::string printed = "law = \"printed\"\n";
+  for (const std::string key : {"step_length_px = 9", "turn_length_px = 9", "sibling_gain_px2 = 1", "radial_pull = 1",
+                                "ring_onset = 1", "branch_rate_per_m = 1"}) {
+    EXPECT_EQ(notes(key), "");
+    const std::string name = key.substr(0, key.find(' '));
+    EXPECT_NE(notes(printed + key).find("growth." + name + ": note: has no effect beside law = \"printed\""), std::string::npos)
+        << name;
+  }
+  for (const std::string key : {"time_step = 2", "region = \"circle\"", "circle_radius_px = 9"}) {
+    EXPECT_NE(notes(key).find("has no effect without law = \"printed\""), std::string::npos) << key;
+    EXPECT_NE(notes(printed + key, "pattern = \"real\"\n").find("has no effect beside pattern = \"real\""), std::string::npos);
+  }
+  EXPECT_EQ(notes(printed + "region = \"circle\"\ncircle_radius_px = 9\ntime_step = 2"), "");
+  EXPECT_EQ(notes(printed + "region = \"rectangle\"\nrectangle_length_px = 9\nrectangle_width_px = 9"), "");
+  EXPECT_NE(notes(printed + "circle_radius_px = 9").find("has no effect without region = \"circle\""), std::string::npos);
+  EXPECT_NE(notes(printed + "region = \"circle\"\nsector_radius_px = 9").find("has no effect beside another region"),
+            std::string::npos);
+  EXPECT_NE(notes(printed, "glass = \"tempered\"\n").find("has no effect beside glass = \"tempered\""), std::string::npos);
 }
 
 }  // namespace

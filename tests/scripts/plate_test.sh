@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The plate of the twelve presets: whole, the same each time, and refused where a caption is not what the pane is. The sheet of bonds is
-# the one that is in the pages.
+# The plate of the twelve presets: whole, the same each time, and refused where a caption is not what the pane is. The sheets of bonds and
+# of both laws of growth are those that are in the pages.
 #   plate_test.sh BUILD
 # shellcheck source=tests/scripts/test_kit.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
@@ -40,3 +40,5 @@ if bash "$scratch/plate.sh" --command "$command" "$scratch/c.svg" 2>"$scratch/sa
 
 "$root/docs/bonds.sh" --command "$command" "$scratch/bonds.svg" >"$scratch/said"
 cmp "$scratch/bonds.svg" "$root/docs/pictures/bonds.svg" || fail "docs/pictures/bonds.svg shows other stones: docs/bonds.sh draws it"
+"$root/docs/laws.sh" --command "$command" "$scratch/laws.svg" >"$scratch/said"
+cmp "$scratch/laws.svg" "$root/docs/pictures/growth_laws.svg" || fail "docs/pictures/growth_laws.svg shows other cracks: docs/laws.sh draws it"

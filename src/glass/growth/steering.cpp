@@ -21,19 +21,26 @@ double inverse_square(double distance_mm) {
   return 1.0 / (distance * distance);
 }
 
-vec2 pull(const std::optional<Wall>& wall, double gain) {
-  return wall ? gain * inverse_square(wall->distance_mm) * wall->towards : vec2{0.0, 0.0};
-}
+vec2 pull(const std::optional<Wall>& wall, double gain) { return wall ? pull_of(*wall, gain) : vec2{0.0, 0.0}; }
 
 }  // namespace
+
+Wall wall_at(vec2 nearest_mm, const geometry::Segment& segment, vec2 from) {
+  const vec2 across = glm::normalize(left_of(geometry::to_mm(segment.b) - geometry::to_mm(segment.a)));
+  return {glm::dot(across, nearest_mm - from) < 0.0 ? -across : across, glm::length(nearest_mm - from)};
+}
+
+vec2 pull_of(const Wall& wall, double gain) { return gain * inverse_square(wall.distance_mm) * wall.towards; }
+
+vec2 push_of(vec2 offset_mm, double gain) {
+  const double distance = glm::length(offset_mm);
+  return -gain * inverse_square(distance) * (offset_mm / distance);
+}
 
 vec2 force_of(const Sight& sight, const Growth& growth) {
   vec2 force =
       pull(sight.crack, growth.crack_gain) + pull(sight.sibling, growth.sibling_gain) + pull(sight.edge, growth.edge_gain);
-  for (const vec2& tip : sight.tips_mm) {
-    const double distance = glm::length(tip);
-    force -= growth.tip_gain * inverse_square(distance) * (tip / distance);
-  }
+  for (const vec2& tip : sight.tips_mm) force += push_of(tip, growth.tip_gain);
   return force;
 }
 
@@ -48,10 +55,14 @@ vec2 direction_along(const Ring& ring, vec2 at_mm) {
 
 double inertia(double age, const Growth& growth) { return exponential(-age / growth.weight_time); }
 
-Angle turn(vec2 force, vec2 heading, double weight, double step_px, const Growth& growth) {
+Angle turn_towards(vec2 force, vec2 heading, double weight, const Growth& growth) {
   const Angle difference = Angle::radians(arctangent(cross(heading, force), glm::dot(heading, force)));
+  return std::clamp(difference, -growth.turn_limit, growth.turn_limit) * weight;
+}
+
+Angle turn(vec2 force, vec2 heading, double weight, double step_px, const Growth& growth) {
   const double share = std::min(1.0, step_px / growth.turn_length);
-  return std::clamp(difference, -growth.turn_limit, growth.turn_limit) * (weight * share);
+  return turn_towards(force, heading, weight * share, growth);
 }
 
 vec2 turned(vec2 v, Angle angle) {

@@ -6,6 +6,7 @@
 
 #include "core/angle.h"
 #include "core/vec.h"
+#include "geometry/segment_index.h"
 #include "glass/pane.h"
 
 namespace shatterpave::glass {
@@ -15,6 +16,9 @@ struct Wall {
   vec2 towards{0.0, 0.0};    // perpendicular to it, of unit length
   double distance_mm = 0.0;  // of its nearest point in the sector, >= 0
 };
+
+// That of the segment whose point nearest to a tip at `from` is `nearest_mm`.
+Wall wall_at(vec2 nearest_mm, const geometry::Segment& segment, vec2 from);
 
 // What a tip sees in its sector.
 struct Sight {
@@ -31,6 +35,11 @@ struct Ring {
   bool counter_clockwise = true;
 };
 
+// F2 of one crack, or of the edge; F1 of one tip, at `offset_mm` from this one, not 0. Each falls with the square of the
+// distance; in units of the magnitude of F3, with gains in px².
+vec2 pull_of(const Wall& wall, double gain);
+vec2 push_of(vec2 offset_mm, double gain);
+
 // F1 + F2: away from tips, and perpendicularly towards cracks and the edge, each falling with the square of the distance; in
 // units of the magnitude of F3.
 vec2 force_of(const Sight& sight, const Growth& growth);
@@ -40,6 +49,9 @@ vec2 direction_along(const Ring& ring, vec2 at_mm);
 
 // 1 − weight of eq. 19, of a crack that started `age` ago. That of a longer age is the product of those of its parts.
 double inertia(double age, const Growth& growth);
+
+// The angle by which a tip of that weight turns towards the force (eq. 12 to 15, 18).
+Angle turn_towards(vec2 force, vec2 heading, double weight, const Growth& growth);
 
 // The angle by which a tip of that weight turns in a step of `step_px` (eq. 12 to 15, 18), for its share of turn_length.
 Angle turn(vec2 force, vec2 heading, double weight, double step_px, const Growth& growth);

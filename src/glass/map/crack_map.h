@@ -27,6 +27,7 @@ class CrackMap {
  public:
   // A place from which cracks start: an impact, or the starting point of a ring crack.
   using Hub = int;
+  static constexpr int edge_owner = -1;
 
   //   outline  as in Pane
   //   cell_mm  > 0, cell of the index: about the length of a step of growth
@@ -60,6 +61,13 @@ class CrackMap {
     return index_.nearest_in(
         sector, [&](const geometry::Segment& segment) { return segment.owner != edge_owner && accept(segment.owner); });
   }
+  // Calls visit(number) for every segment, of cracks and of the edge, that may have a point in the box: for some more than
+  // once.
+  template <typename Visit>
+  void visit_in(const geometry::Box& box, Visit visit) const {
+    index_.visit_in(box, visit);
+  }
+  // Its owner is the number of a crack, or edge_owner.
   geometry::Segment segment(int number) const { return index_.segment(number); }
 
   bool is_growing(int crack) const { return record(crack).growing; }
@@ -82,8 +90,6 @@ class CrackMap {
   std::vector<Crack> cracks(bool with_times = false) const;
 
  private:
-  static constexpr int edge_owner = -1;
-
   struct Record {
     CrackKind kind = CrackKind::radial;
     int impact = 0;

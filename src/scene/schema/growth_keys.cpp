@@ -18,6 +18,10 @@ constexpr std::string_view beside_few_radials = "beside a radial_count up to cir
 constexpr std::string_view beside_ring_counts = "beside circular_count or preset";
 constexpr std::string_view beside_large_counts = "beside large_count or preset";
 constexpr std::string_view beside_no_spread = "beside spread_limit = 0";
+constexpr std::string_view beside_printed = "beside law = \"printed\"";
+constexpr std::string_view without_rectangle = "without region = \"rectangle\"";
+constexpr std::string_view beside_other_region = "beside another region";
+constexpr std::string_view without_printed = "without law = \"printed\"";
 
 bool with_counts(const PaneFacts& f) {
   return f.all_impacts([](const Impact& i) { return i.radial_count.has_value(); });
@@ -50,6 +54,14 @@ bool is_hit_by_default(const PaneFacts& f) {
 bool is_hit_once(const PaneFacts& f) { return f.pane.impacts.size() == 1; }
 bool without_spread(const PaneFacts& f) { return f.pane.growth.spread_limit == 0.0; }
 
+bool is_printed(const PaneFacts& f) { return f.pane.growth.law == glass::GrowthLaw::printed && !f.is_real(); }
+bool looks_elsewhere(const PaneFacts& f) { return is_printed(f) && f.pane.growth.region != glass::LocalRegion::sector; }
+bool is_fitted(const PaneFacts& f) { return f.pane.growth.law == glass::GrowthLaw::fitted; }
+
+// Rows of the printed law, and rows of what it does not know.
+GrowthRow of_printed(const GrowthRow& row) { return row.idle(on_real, beside_real).idle(is_fitted, without_printed); }
+GrowthRow of_fitted(const GrowthRow& row) { return row.idle(is_printed, beside_printed); }
+
 // Rows of what only ring cracks of the paper's pattern have.
 GrowthRow of_rings(const GrowthRow& row) {
   return row.idle(on_real, beside_real).idle(without_ring_starts, without_ring_cracks);
@@ -65,6 +77,25 @@ GrowthRow of_large_counts(const GrowthRow& row) { return row.idle(with_large_cou
 const Section<Growth, PaneFacts> growth_keys{
     "pane[].growth",
     {
+        GrowthRow::choice("law", &Growth::law, growth_law_words,
+                          "how cracks grow: fitted to the paper's measured panes, or by the letter of its equations")
+            .idle(on_real, beside_real),
+        of_printed(GrowthRow::number("time_step", &Growth::time_step, {0.01, 100.0},
+                                     "dt of the printed law: all tips go on at once for so long, and turn once")),
+        of_printed(GrowthRow::choice("region", &Growth::region, local_region_words,
+                                     "what a tip looks into by the printed law: a fan or a rectangle before it, or a circle "
+                                     "about it")),
+        of_printed(GrowthRow::number("rectangle_length_px", &Growth::rectangle_length, {1.0, 1000.0},
+                                     "how far that rectangle reaches ahead"))
+            .idle([](const PaneFacts& f) { return f.pane.growth.region != glass::LocalRegion::rectangle; }, without_rectangle),
+        of_printed(GrowthRow::number("rectangle_width_px", &Growth::rectangle_width, {1.0, 1000.0}, "how wide it is"))
+            .idle([](const PaneFacts& f) { return f.pane.growth.region != glass::LocalRegion::rectangle; }, without_rectangle),
+        of_printed(GrowthRow::number("circle_radius_px", &Growth::circle_radius, {1.0, 1000.0}, "radius of that circle"))
+            .idle([](const PaneFacts& f) { return f.pane.growth.region != glass::LocalRegion::circle; },
+                  "without region = \"circle\""),
+        GrowthRow::flag("enclosed_tips_stop", &Growth::enclosed_tips_stop, "tips stop where cracks close a region about them")
+            .idle([](const PaneFacts& f) { return f.is_real() && f.pane.growth.branch_rate_per_m == 0.0; },
+                  "on pattern = \"real\" without branch_rate_per_m"),
         GrowthRow::choice("spread", &Growth::spread, spread_words, "law by which speeds and radii vary")
             .idle(without_spread, beside_no_spread),
         GrowthRow::number("spread_limit", &Growth::spread_limit, {0.0, 1.0, false, true},
@@ -78,13 +109,15 @@ const Section<Growth, PaneFacts> growth_keys{
                           "mean speed of large cracks, px a unit of time: faster ones are straighter"),
         GrowthRow::number("radial_speed_px", &Growth::radial_speed, {0.1, 1000.0}, "mean speed of the other radial cracks"),
         of_rings(GrowthRow::number("circular_speed_px", &Growth::circular_speed, {0.1, 1000.0}, "mean speed of ring cracks")),
-        GrowthRow::angle("sector_angle_deg", &Growth::sector_angle, {1.0, 180.0}, "opening of the fan that a tip looks into"),
-        GrowthRow::number("sector_radius_px", &Growth::sector_radius, {1.0, 1000.0}, "radius of that fan"),
+        GrowthRow::angle("sector_angle_deg", &Growth::sector_angle, {1.0, 180.0}, "opening of the fan that a tip looks into")
+            .idle(looks_elsewhere, beside_other_region),
+        GrowthRow::number("sector_radius_px", &Growth::sector_radius, {1.0, 1000.0}, "radius of that fan")
+            .idle(looks_elsewhere, beside_other_region),
         GrowthRow::angle("turn_limit_deg", &Growth::turn_limit, {0.0, 90.0}, "largest turn in a step"),
         GrowthRow::number("weight_time", &Growth::weight_time, {0.01, 1000.0},
                           "units of time after which a young crack turns freely"),
-        GrowthRow::number("step_length_px", &Growth::step_length, {0.1, 100.0},
-                          "length of a step of growth: shorter ones are slower, and meet edges more squarely"),
+        of_fitted(GrowthRow::number("step_length_px", &Growth::step_length, {0.1, 100.0},
+                                    "length of a step of growth: shorter ones are slower, and meet edges more squarely")),
         GrowthRow::number("reference_radial_count", &Growth::reference_radial_count, {1.0, 10000.0},
                           "mean of M for the ball and speed by default")
             .idle(with_counts_or_means, beside_counts),
@@ -120,30 +153,33 @@ const Section<Growth, PaneFacts> growth_keys{
         of_rings(GrowthRow::number("ring_radius_offset_mm", &Growth::ring_radius_offset_mm, {0.0, 10000.0},
                                    "offset of that radius")),
         GrowthRow::number("tip_gain_px2", &Growth::tip_gain, {0.0, 1e6}, "how much growing tips push each other off"),
-        // Radials do not see those of their own impact (see crack_before of growth.cpp).
+        // By the fitted law radials do not see those of their own impact (see crack_before of growth.cpp).
         GrowthRow::number("crack_gain_px2", &Growth::crack_gain, {0.0, 1e6}, "how much tips are pulled towards other cracks")
             .idle([](const PaneFacts& f) { return is_hit_once(f) && f.is_real(); },
                   "beside pattern = \"real\" and a single impact")
-            .idle([](const PaneFacts& f) { return is_hit_once(f) && without_ring_starts(f); },
+            .idle([](const PaneFacts& f) { return is_hit_once(f) && without_ring_starts(f) && !is_printed(f); },
                   "on the radial cracks of a single impact"),
-        GrowthRow::number("sibling_gain_px2", &Growth::sibling_gain, {-1e6, 1e6},
-                          "pull between radials of one impact; below 0 they push each other off, and more of them grow long"),
+        of_fitted(GrowthRow::number(
+            "sibling_gain_px2", &Growth::sibling_gain, {-1e6, 1e6},
+            "pull between radials of one impact; below 0 they push each other off, and more of them grow long")),
         GrowthRow::number("edge_gain_px2", &Growth::edge_gain, {0.0, 1e6}, "how much tips are pulled towards the edge"),
-        GrowthRow::angle("wander_deg", &Growth::wander, {0.0, 90.0}, "crookedness: spread of the direction over 10 px"),
-        GrowthRow::number("turn_length_px", &Growth::turn_length, {0.1, 1000.0},
-                          "length over which a tip turns to where it is drawn: longer ones make lazier curves"),
-        GrowthRow::number("radial_pull", &Growth::radial_pull, {0.0, 1000.0},
-                          "how firmly radials keep away from their impact: more makes them straighter"),
+        GrowthRow::angle("wander_deg", &Growth::wander, {0.0, 90.0},
+                         "crookedness: spread of the direction over 10 px, by the printed law in a step"),
+        of_fitted(GrowthRow::number("turn_length_px", &Growth::turn_length, {0.1, 1000.0},
+                                    "length over which a tip turns to where it is drawn: longer ones make lazier curves")),
+        of_fitted(GrowthRow::number("radial_pull", &Growth::radial_pull, {0.0, 1000.0},
+                                    "how firmly radials keep away from their impact: more makes them straighter")),
         of_rings(GrowthRow::number("ring_pull", &Growth::ring_pull, {0.0, 1000.0}, "how firmly rings keep to their circle")),
         of_rings(GrowthRow::number("ring_onset", &Growth::ring_onset, {0.0, 1000.0},
-                                   "rings start when the large cracks are this many ring radii out")),
+                                   "rings start when the large cracks are this many ring radii out"))
+            .idle(is_printed, beside_printed),
         GrowthRow::number("radial_onset", &Growth::radial_onset, {0.0, 1000.0},
                           "radials but the large ones start up to so long after the impact, each its own: above 0 their "
                           "lengths vary"),
-        GrowthRow::number("branch_rate_per_m", &Growth::branch_rate_per_m, {0.0, 1000.0},
-                          "branches that leave a metre of a large crack, or of a branch"),
-        GrowthRow::limits("branch_angle_deg", &Growth::least_branch_angle, &Growth::greatest_branch_angle, {0.0, 90.0},
-                          "angle between a branch and what it leaves")
+        of_fitted(GrowthRow::number("branch_rate_per_m", &Growth::branch_rate_per_m, {0.0, 1000.0},
+                                    "branches that leave a metre of a large crack, or of a branch")),
+        of_fitted(GrowthRow::limits("branch_angle_deg", &Growth::least_branch_angle, &Growth::greatest_branch_angle,
+                                    {0.0, 90.0}, "angle between a branch and what it leaves"))
             .idle([](const PaneFacts& f) { return f.pane.growth.branch_rate_per_m == 0.0; }, "without branch_rate_per_m"),
     }};
 

@@ -40,6 +40,12 @@ inline constexpr auto crack_body_words =
     std::to_array<Word<glass::CrackBody>>({{"cylinder", glass::CrackBody::cylinder}, {"sheet", glass::CrackBody::sheet}});
 inline constexpr auto spread_words =
     std::to_array<Word<glass::Spread>>({{"normal", glass::Spread::normal}, {"uniform", glass::Spread::uniform}});
+inline constexpr auto growth_law_words =
+    std::to_array<Word<glass::GrowthLaw>>({{"fitted", glass::GrowthLaw::fitted}, {"printed", glass::GrowthLaw::printed}});
+inline constexpr auto local_region_words =
+    std::to_array<Word<glass::LocalRegion>>({{"sector", glass::LocalRegion::sector},
+                                             {"rectangle", glass::LocalRegion::rectangle},
+                                             {"circle", glass::LocalRegion::circle}});
 inline constexpr auto rounding_words = std::to_array<Word<glass::Rounding>>(
     {{"down", glass::Rounding::down}, {"nearest", glass::Rounding::nearest}, {"up", glass::Rounding::up}});
 // Laws for the number of radial cracks, by the variance over the mean.

@@ -18,7 +18,7 @@
 namespace shatterpave::paving {
 namespace {
 
-geometry::Region rectangle(double width, double height) { return {{{0, 0}, {width, 0}, {width, height}, {0, height}}, {}}; }
+geometry::Region sized_area(double width, double height) { return {{{0, 0}, {width, 0}, {width, height}, {0, height}}, {}}; }
 
 Pavement with_sizes(geometry::Region area, Direction direction, Sizes sizes) {
   Pavement result = pavement(std::move(area), 60, 5, std::move(direction));
@@ -29,7 +29,7 @@ Pavement with_sizes(geometry::Region area, Direction direction, Sizes sizes) {
 SizeField size_field_of(const Pavement& pavement) { return {pavement, geometry::RegionIndex(pavement.area)}; }
 
 TEST(SizeField, FollowsTheDistanceFromTheEdgeAndItsHoles) {
-  geometry::Region area = rectangle(8000, 8000);
+  geometry::Region area = sized_area(8000, 8000);
   area.holes.push_back({{3900, 3900}, {3900, 4100}, {4100, 4100}, {4100, 3900}});
   const SizeField field = size_field_of(with_sizes(area, straight(0), SizesFromEdge{{0.5, 1.5, 1500.0}}));
   EXPECT_NEAR(field.at({0, 4000}), 0.5, 0.01);
@@ -44,7 +44,7 @@ TEST(SizeField, FollowsTheDistanceFromTheEdgeAndItsHoles) {
 TEST(SizeField, FollowsTheDistanceFromLines) {
   const std::vector<vec2> line = {{0, 0}, {2000, 2000}, {4000, 2000}};
   const SizeField field =
-      size_field_of(with_sizes(rectangle(4000, 4000), straight(0), SizesFromLines{{1.5, 0.5, 1200.0}, {line}}));
+      size_field_of(with_sizes(sized_area(4000, 4000), straight(0), SizesFromLines{{1.5, 0.5, 1200.0}, {line}}));
   for (const vec2 place : {vec2{500, 500}, vec2{1000, 2000}, vec2{3000, 1500}, vec2{3000, 3900}, vec2{2000, 2100}}) {
     double away = 1e9;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -56,7 +56,7 @@ TEST(SizeField, FollowsTheDistanceFromLines) {
 
 TEST(SizeField, FollowsAPictureFromItsTopRow) {
   SizesOfMap map{0.5, 1.5, {0, 0}, {8000, 8000}, 2, {0.0F, 0.25F, 0.5F, 1.0F}};
-  const SizeField field = size_field_of(with_sizes(rectangle(8000, 8000), straight(0), map));
+  const SizeField field = size_field_of(with_sizes(sized_area(8000, 8000), straight(0), map));
   EXPECT_NEAR(field.at({1000, 7000}), 0.5, 0.01);
   EXPECT_NEAR(field.at({7000, 7000}), 0.75, 0.01);
   EXPECT_NEAR(field.at({1000, 1000}), 1.0, 0.01);
@@ -68,7 +68,7 @@ TEST(SizeField, GrowsNoFasterThanRowsCanBear) {
   // A jump from a quarter to four: a step away the size may be larger by `most_growth`, on the diagonals of the grid 8 % more.
   SizesOfMap map{0.25, 4.0, {0, 0}, {12000, 6000}, 48, std::vector<float>(48, 0.0F)};
   std::fill(map.greys.begin() + 24, map.greys.end(), 1.0F);
-  const SizeField field = size_field_of(with_sizes(rectangle(12000, 6000), straight(0), map));
+  const SizeField field = size_field_of(with_sizes(sized_area(12000, 6000), straight(0), map));
   EXPECT_NEAR(field.at({100, 3000}), 0.25, 0.01);
   double steepest = 0.0;
   for (double x = 0.0; x < 12000.0; x += 65.0) {
@@ -112,7 +112,7 @@ TEST(SizeField, PackedStonesHaveTheSizesThatAreAskedFor) {
     };
   };
   for (const Direction& direction : {straight(0), Direction(BoundaryDirection{})}) {
-    const Pavement paved = with_sizes(rectangle(5000, 4000), direction, SizesFromEdge{{0.6, 1.8, 1500.0}});
+    const Pavement paved = with_sizes(sized_area(5000, 4000), direction, SizesFromEdge{{0.6, 1.8, 1500.0}});
     const StoneLayout layout = laid_stones(paved, 1);
     EXPECT_EQ(faults(paved, layout).total(), 0U);
     const Following right = following(paved, layout, edge_size(1.8));
@@ -148,7 +148,7 @@ TEST(SizeField, ThreadsDoNotShow) {
 }
 
 TEST(SizeField, OtherBondsAndTilesRefuseSizes) {
-  Pavement paved = with_sizes(rectangle(2000, 2000), straight(0), SizesFromEdge{{0.5, 1.0, 1000.0}});
+  Pavement paved = with_sizes(sized_area(2000, 2000), straight(0), SizesFromEdge{{0.5, 1.0, 1000.0}});
   EXPECT_THROW(static_cast<void>(seamless_tile(paved, 1)), InputError);
   paved.bonding.bond = Bond::running;
   EXPECT_THROW(static_cast<void>(laid_stones(paved, 1)), InputError);

@@ -23,7 +23,7 @@ constexpr double allowed_share = 0.1;
 constexpr double miter_limit = 5.0;
 
 double longest_side_mm(const paving::Pavement& pavement) {
-  const double longer = std::max(pavement.stone_mm.x, pavement.stone_mm.y);
+  const double longer = paving::size_range(pavement).largest * std::max(pavement.stone_mm.x, pavement.stone_mm.y);
   if (pavement.border.course == paving::BorderCourse::none) return longer;
   const vec2 border = paving::border_stone_mm(pavement);
   return std::max({longer, border.x, border.y});

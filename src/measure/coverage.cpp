@@ -50,7 +50,8 @@ TileCoverage covered(const OpenGround& ground, const Box& tile, double radius_mm
 Coverage coverage_of(const paving::Pavement& pavement, const paving::StoneLayout& layout, const StoneIndex& index,
                      const geometry::RegionIndex& area) {
   const OpenGround ground(pavement, layout, index, area, {});
-  const double radius_mm = disc_radius * std::min(pavement.stone_mm.x, pavement.stone_mm.y);
+  const double radius_mm =
+      disc_radius * paving::size_range(pavement).smallest * std::min(pavement.stone_mm.x, pavement.stone_mm.y);
   std::vector<TileCoverage> parts(ground.tiles());
   parallel_for(parts.size(), [&](std::size_t t) { parts[t] = covered(ground, ground.tile(t), radius_mm); });
   double uncovered = 0.0;

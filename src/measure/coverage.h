@@ -16,7 +16,7 @@ struct Coverage {
 };
 
 // A stone is missing where a disc as wide as a quarter of a stone's shorter side fits between the grown stones: the smallest
-// piece that is laid as a stone of its own, a quarter of one, is as wide.
+// piece that is laid as a stone of its own, a quarter of one, is as wide. Where sizes follow a field, it is the smallest stone.
 //   index   of the layout
 //   area    of the pavement
 Coverage coverage_of(const paving::Pavement& pavement, const paving::StoneLayout& layout, const StoneIndex& index,

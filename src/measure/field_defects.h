@@ -17,6 +17,9 @@
 // for 4 and 10 is 9.42 / a. A packing may do with fewer where it stretches joints and stones, or sets the ends against a
 // border.
 //
+// Where sizes s follow a field, a and b are s times what they are elsewhere, and t / s and n / s stand in place of t and n:
+// rows of larger stones have fewer columns.
+//
 // Where a cross field turns by quarter turns about a point (half turns, for oblong stones), a singularity, there is one spot
 // more: a stone, or a corner, with three or five sides for each quarter turn.
 #pragma once
@@ -25,6 +28,7 @@
 
 #include "geometry/region_index.h"
 #include "paving/field/direction_field.h"
+#include "paving/field/size_field.h"
 #include "paving/pavement.h"
 
 namespace shatterpave::measure {
@@ -37,8 +41,8 @@ struct FieldDefects {
   double least_spots() const { return row_bends + column_bends + static_cast<double>(singularities); }
 };
 
-// Summed over small squares within the area, by the way round each. `field` and `area` are those of the pavement.
+// Summed over small squares within the area, by the way round each. `field`, `sizes` and `area` are those of the pavement.
 FieldDefects field_defects(const paving::Pavement& pavement, const paving::DirectionField& field,
-                           const geometry::RegionIndex& area);
+                           const paving::SizeField& sizes, const geometry::RegionIndex& area);
 
 }  // namespace shatterpave::measure

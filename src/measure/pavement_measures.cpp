@@ -17,6 +17,7 @@
 #include "paving/bonds/border.h"
 #include "paving/bonds/table.h"
 #include "paving/field/direction_field.h"
+#include "paving/field/size_field.h"
 #include "paving/packing/packing.h"
 #include "paving/packing/particle_cells.h"
 
@@ -83,8 +84,8 @@ struct StoneSamples {
 class StoneMeter {
  public:
   StoneMeter(const Pavement& pavement, const StoneLayout& layout, const StoneIndex& index, const geometry::RegionIndex& area,
-             const paving::DirectionField& field)
-      : pavement_(pavement), layout_(layout), index_(index), area_(area), field_(field) {
+             const paving::DirectionField& field, const paving::SizeField& sizes)
+      : pavement_(pavement), layout_(layout), index_(index), area_(area), field_(field), sizes_(sizes) {
     pattern_axis_ = (paving::main_direction(pavement) + pavement.bonding.turn).direction();
     border_mm_ = paving::border_stone_mm(pavement);
     stock_ = stock_limit(pavement);
@@ -101,7 +102,9 @@ class StoneMeter {
     result.middle_mm = geometry::on_lattice(geometry::centroid(stone.outline_mm));
     result.in_border_course = stone.part == paving::StonePart::border;
     result.corners = stone.outline_mm.size();
-    const double asked = result.in_border_course ? border_mm_.x * border_mm_.y : paving::whole_face_mm2(pavement_);
+    const double size = sizes_.at(result.middle_mm);
+    const double asked =
+        result.in_border_course ? border_mm_.x * border_mm_.y : size * size * paving::whole_face_mm2(pavement_);
     result.area_ratio = geometry::area(stone.outline_mm) / asked;
     result.stock = stock_share(stone.outline_mm, stock_of(result));
     if (stone.kind != StoneKind::whole) return result;
@@ -168,6 +171,7 @@ class StoneMeter {
   const StoneIndex& index_;
   const geometry::RegionIndex& area_;
   const paving::DirectionField& field_;
+  const paving::SizeField& sizes_;
   vec2 pattern_axis_{1.0, 0.0};
   StockLimit stock_;
   StockLimit border_stock_;
@@ -191,26 +195,29 @@ void part(std::vector<paving::Particle>& particles) {
 
 // The neighbourhood of the stones of a packing, from their middles, as regions are made from particles (paving/tiles/cells.h).
 paving::Cells neighbourhood(const Pavement& pavement, const std::vector<StoneMeasures>& stones,
-                            const paving::DirectionField& field) {
+                            const paving::DirectionField& field, const paving::SizeField& sizes) {
   std::vector<paving::Particle> particles(stones.size());
   parallel_for_chunks(stones.size(), 2048, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t s = begin; s < end; ++s) particles[s] = {stones[s].middle_mm, field.axis(stones[s].middle_mm)};
+    for (std::size_t s = begin; s < end; ++s) {
+      const vec2 at = stones[s].middle_mm;
+      particles[s] = {at, field.axis(at), sizes.at(at)};
+    }
   });
   part(particles);
   return paving::cells_of(particles, pavement);
 }
 
 // Marks the irregular stones. Those that have a cut stone or the border beside them are not looked at.
-void mark_irregular(const Pavement& pavement, const paving::Cells& cells, const geometry::RegionIndex& area,
-                    LayoutMeasures& measures) {
+void mark_irregular(const Pavement& pavement, const paving::Cells& cells, const paving::SizeField& sizes,
+                    const geometry::RegionIndex& area, LayoutMeasures& measures) {
   std::vector<StoneMeasures>& stones = measures.stones;
   const vec2 pitch = paving::pitch_mm(pavement);
-  const double beside_border_mm = std::max(pitch.x, pitch.y);
+  const auto beside_border_mm = [&](std::size_t s) { return sizes.at(stones[s].middle_mm) * std::max(pitch.x, pitch.y); };
   const auto is_inner = [&](std::size_t s) { return stones[s].kind == StoneKind::whole && !stones[s].in_border_course; };
   for (std::size_t s = 0; s < stones.size(); ++s) {
     const auto beside = cells.neighbours(s);
     // The first row has no neighbours towards the border.
-    if (!is_inner(s) || beside.empty() || area.border_within(stones[s].middle_mm, beside_border_mm)) continue;
+    if (!is_inner(s) || beside.empty() || area.border_within(stones[s].middle_mm, beside_border_mm(s))) continue;
     stones[s].neighbours = static_cast<int>(beside.size());
     if (!std::ranges::all_of(beside, is_inner)) continue;
     ++measures.figures.counted_stones;
@@ -235,11 +242,20 @@ std::size_t irregular_spots(const paving::Cells& cells, const std::vector<StoneM
   return count;
 }
 
-void count_irregular(const Pavement& pavement, const paving::DirectionField& field, const geometry::RegionIndex& area,
-                     LayoutMeasures& measures) {
-  const paving::Cells cells = neighbourhood(pavement, measures.stones, field);
-  mark_irregular(pavement, cells, area, measures);
+void count_irregular(const Pavement& pavement, const paving::DirectionField& field, const paving::SizeField& sizes,
+                     const geometry::RegionIndex& area, LayoutMeasures& measures) {
+  const paving::Cells cells = neighbourhood(pavement, measures.stones, field, sizes);
+  mark_irregular(pavement, cells, sizes, area, measures);
   measures.figures.irregular_spots = irregular_spots(cells, measures.stones);
+}
+
+// Those that are looked at for regularity, or would be but for a cut stone beside them.
+std::vector<InnerCell> inner_cells(const StoneLayout& layout, const std::vector<StoneMeasures>& stones) {
+  std::vector<InnerCell> cells;
+  for (std::size_t s = 0; s < stones.size(); ++s) {
+    if (stones[s].neighbours) cells.push_back({&layout.stones[s].outline_mm, *stones[s].neighbours});
+  }
+  return cells;
 }
 
 void sum_up(const Pavement& pavement, const std::vector<StoneSamples>& samples, LayoutMeasures& measures) {
@@ -320,21 +336,23 @@ LayoutMeasures measured(const Pavement& pavement, const StoneLayout& set_out, co
   LayoutMeasures measures;
   const geometry::RegionIndex area(pavement.area);
   const paving::DirectionField field(pavement, area);
+  const paving::SizeField sizes(pavement, area);
   const StoneIndex index(set_out, index_square_mm(pavement));
   LayoutFigures& figures = measures.figures;
   figures.stones = set_out.stones.size();
   figures.faults = &lying == &set_out ? layout_faults(set_out, index, area)
                                       : layout_faults(lying, StoneIndex(lying, index_square_mm(pavement)), area);
 
-  const StoneMeter meter(pavement, set_out, index, area, field);
+  const StoneMeter meter(pavement, set_out, index, area, field, sizes);
   std::vector<StoneSamples> samples(set_out.stones.size());
   measures.stones.resize(set_out.stones.size());
   parallel_for_chunks(set_out.stones.size(), 512, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) measures.stones[s] = meter.measures(s, samples[s]);
   });
   if (is_packed(pavement)) {
-    figures.field = field_defects(pavement, field, area);
-    count_irregular(pavement, field, area, measures);
+    figures.field = field_defects(pavement, field, sizes, area);
+    count_irregular(pavement, field, sizes, area, measures);
+    figures.cells = cell_figures(inner_cells(set_out, measures.stones), field);
   }
   sum_up(pavement, samples, measures);
   note_largest(meter, measures);

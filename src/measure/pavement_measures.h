@@ -19,6 +19,8 @@
 // one and no border beside them the others are counted, and the spots that those side by side make. One spot is the end of at
 // least one row or column; measure/field_defects.h tells the least number that the field allows.
 //
+// Of a packing, what tells organic textures apart besides: measure/cell_figures.h.
+//
 // What [pavement.variation] asks for is no fault: stones missing, turned, moved and of other sizes. So faults are looked for
 // among the stones as they lie, and all else is measured on the stones as they were set out, before variation. So it is with
 // stones laid by hand, of which what photographs measure is told besides, as they lie (measure/hand_figures.h).
@@ -27,6 +29,7 @@
 #include <optional>
 #include <vector>
 
+#include "measure/cell_figures.h"
 #include "measure/distribution.h"
 #include "measure/field_defects.h"
 #include "measure/hand_figures.h"
@@ -46,7 +49,7 @@ struct StoneMeasures {
   std::size_t corners = 0;
   std::optional<int> neighbours;         // sides shared with other stones; of a whole stone of a packing
   bool irregular = false;                // one of the irregular stones
-  double area_ratio = 0.0;               // over that of the asked stone
+  double area_ratio = 0.0;               // over that of the stone that is asked for there
   StockShare stock;                      // how large beside what it is cut from
   std::optional<double> misaligned_deg;  // mean over its sides by length; of a whole stone
   Distribution joint_ratio;              // of the joints beside it; of a whole stone
@@ -91,6 +94,8 @@ struct LayoutFigures {
   std::size_t irregular_stones = 0;
   std::size_t irregular_spots = 0;
   FieldDefects field;  // of a packing
+
+  CellFigures cells;  // of a packing
 
   HandFigures hand;  // of stones laid by hand, as they lie; else of nothing
 };

@@ -127,7 +127,7 @@ StockLimit of_chevron(const Pavement& pavement) {
 
 StockLimit stock_limit(const Pavement& pavement) {
   const vec2 pitch = paving::pitch_mm(pavement);
-  const bool straight = std::holds_alternative<paving::ConstantDirection>(pavement.direction);
+  const bool straight = std::holds_alternative<paving::ConstantDirection>(pavement.direction) && !paving::has_sizes(pavement);
   const auto modules = [&](double columns, double rows) {
     return vec2{columns, rows} * pitch - vec2{pavement.joint_mm, pavement.joint_mm};
   };

@@ -11,6 +11,7 @@
 #include "paving/bonds/bond.h"
 #include "paving/bonds/border.h"
 #include "paving/bonds/table.h"
+#include "paving/field/size_field.h"
 #include "paving/limits.h"
 #include "paving/packing/packing.h"
 #include "paving/packing/particle_cells.h"
@@ -33,7 +34,7 @@ double border_length(const geometry::RegionIndex& area) {
 
 // Whole stones by area, and cut ones by the length of the border.
 double expected_stones(const Pavement& pavement, const geometry::RegionIndex& area) {
-  const vec2 pitch = pitch_mm(pavement);
+  const vec2 pitch = size_range(pavement).smallest * pitch_mm(pavement);
   const double border = pavement.border.course == BorderCourse::none ? 0.0 : 1.0 / border_stone_mm(pavement).x;
   return geometry::area(pavement.area) / (pitch.x * pitch.y) +
          border_length(area) * (1.0 / std::min(pitch.x, pitch.y) + border);
@@ -61,6 +62,35 @@ void check_shape(const Pavement& pavement) {
   }
 }
 
+// Only stones that are packed one by one differ in size as a field has it.
+void check_sizes(const Pavement& pavement) {
+  if (!has_sizes(pavement)) return;
+  if (type_of(pavement).bending != Bending::packed) {
+    throw InputError(place_of(pavement, "bond"), "expected bond = \"packed\" beside size, got another one");
+  }
+  const SizeRange sizes = size_range(pavement);
+  if (sizes.smallest < size_bounds.low || sizes.largest > size_bounds.high) {
+    throw InputError(place_of(pavement, "size"), fmt::format("expected sizes from {} to {}, got {} to {}", size_bounds.low,
+                                                             size_bounds.high, sizes.smallest, sizes.largest));
+  }
+  const vec2 smallest = sizes.smallest * pavement.stone_mm;
+  if (std::min(smallest.x, smallest.y) < stone_bounds_mm.low) {
+    throw InputError(place_of(pavement, "size"), fmt::format("expected stones of {} mm or more, got [{}, {}]",
+                                                             stone_bounds_mm.low, smallest.x, smallest.y));
+  }
+}
+
+// Scales stand on the corners of square cells, which only packing lays.
+void check_cells(const Pavement& pavement) {
+  if (pavement.cell.form != CellForm::scale) return;
+  if (type_of(pavement).bending != Bending::packed) {
+    throw InputError(place_of(pavement, "bond"), "expected bond = \"packed\" beside cell.form = \"scale\", got another one");
+  }
+  if (pavement.stone_mm.x != pavement.stone_mm.y) {
+    throw InputError(place_of(pavement, "stone_mm"), "expected square stones beside cell.form = \"scale\", got oblong ones");
+  }
+}
+
 void check(const Pavement& pavement) {
   const auto require = [&](std::string_view member, double mm, double least) {
     if (mm >= least && mm <= geometry::largest_coordinate_mm) return;
@@ -76,6 +106,8 @@ void check(const Pavement& pavement) {
   }
   require("bond_span_mm", bonding.span_mm, span_bounds_mm.low);
   check_shape(pavement);
+  check_sizes(pavement);
+  check_cells(pavement);
   const vec2 border = border_stone_mm(pavement);
   require("border_stone_mm", border.x, stone_bounds_mm.low);
   require("border_stone_mm", border.y, stone_bounds_mm.low);
@@ -92,14 +124,16 @@ struct Setting {
 
 // `field` must outlive what is returned.
 Setting packed_setting(const Pavement& pavement, const geometry::RegionIndex& area, const DirectionField& field,
-                       std::uint64_t seed) {
-  const auto particles = packed_particles(pavement, area, field, seed);
+                       const SizeField& sizes, std::uint64_t seed) {
+  const auto particles = packed_particles(pavement, area, field, sizes, seed);
   Cells cells = cells_of(particles, pavement);
-  const bool exact = std::holds_alternative<ConstantDirection>(pavement.direction);
-  if (!exact) cells = settled_cells(std::move(cells), particles, pavement, area);
+  if (is_bent(pavement)) cells = settled_cells(std::move(cells), particles, pavement, area);
   if (pavement.hand.amount > 0.0) cells = hand_set(cells, pavement.hand.amount, seed, Id(pavement.name));
   return {std::move(cells),
-          [&field](const Piece&, const geometry::Polygon& face) { return field.angle(geometry::centroid(face)); }};
+          [&field, heads = pavement.cell.form == CellForm::scale](const Piece&, const geometry::Polygon& face) {
+            const vec2 middle = geometry::centroid(face);
+            return heads ? Angle::of(field.heading(middle)) : field.angle(middle);
+          }};
 }
 
 Setting bonded_setting(std::vector<Tile> tiles, const Pavement& pavement, std::uint64_t seed) {
@@ -150,12 +184,13 @@ void append_stones(const Setting& setting, const geometry::Region& region, const
 }
 
 // The square packing, zone by zone where rows are mitred.
-void append_packing(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, SetOut& set_out) {
+void append_packing(const Pavement& pavement, const geometry::RegionIndex& area, const SizeField& sizes, std::uint64_t seed,
+                    SetOut& set_out) {
   const DirectionField field(pavement, area);
   const StoneSize size{whole_face_mm2(pavement), longer_side(pavement.stone_mm), pavement.joint_mm,
-                       set_out_stock(stock(pavement), pavement), -1.0};
+                       set_out_stock(stock(pavement).times(1.0 / size_range(pavement).largest), pavement), -1.0};
   if (field.zones().empty()) {
-    append_stones(packed_setting(pavement, area, field, seed), pavement.area, area, size, StonePart::field, set_out);
+    append_stones(packed_setting(pavement, area, field, sizes, seed), pavement.area, area, size, StonePart::field, set_out);
     return;
   }
   for (const DirectionField::Zone& zone : field.zones()) {
@@ -163,15 +198,16 @@ void append_packing(const Pavement& pavement, const geometry::RegionIndex& area,
     zoned.direction = zone.direction;
     for (const geometry::Region& part : zone.areas) {
       const geometry::RegionIndex index(part);
-      append_stones(packed_setting(zoned, index, zone.field, seed), part, index, size, StonePart::field, set_out);
+      append_stones(packed_setting(zoned, index, zone.field, sizes, seed), part, index, size, StonePart::field, set_out);
     }
   }
 }
 
-// The bond, within the border course if there is one.
-void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed, SetOut& set_out) {
+// The bond, within the border course if there is one. `sizes` are those of the whole pavement.
+void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, const SizeField& sizes, std::uint64_t seed,
+                 SetOut& set_out) {
   if (type_of(pavement).bending == Bending::packed) {
-    append_packing(pavement, area, seed, set_out);
+    append_packing(pavement, area, sizes, seed, set_out);
     return;
   }
   append_stones(bonded_setting(bond_tiles(pavement, area, seed), pavement, seed), pavement.area, area,
@@ -181,7 +217,7 @@ void append_bond(const Pavement& pavement, const geometry::RegionIndex& area, st
 }
 
 // The border course, and the bond within it.
-void append_bordered_bond(const Pavement& pavement, std::uint64_t seed, SetOut& set_out) {
+void append_bordered_bond(const Pavement& pavement, const SizeField& sizes, std::uint64_t seed, SetOut& set_out) {
   BorderedArea parts = bordered_area(pavement);
   const Setting course = bonded_setting(border_tiles(pavement, parts.course), pavement, seed);
   const vec2 stone = border_stone_mm(pavement);
@@ -196,7 +232,7 @@ void append_bordered_bond(const Pavement& pavement, std::uint64_t seed, SetOut& 
   Pavement within = pavement;
   for (geometry::Region& region : parts.within) {
     within.area = std::move(region);
-    append_bond(within, geometry::RegionIndex(within.area), seed, set_out);
+    append_bond(within, geometry::RegionIndex(within.area), sizes, seed, set_out);
   }
 }
 
@@ -213,11 +249,13 @@ void require_layable(const Pavement& pavement) {
 
 StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
   require_layable(pavement);
+  const geometry::RegionIndex area(pavement.area);
+  const SizeField sizes(pavement, area);
   SetOut set_out;
   if (pavement.border.course == BorderCourse::none) {
-    append_bond(pavement, geometry::RegionIndex(pavement.area), seed, set_out);
+    append_bond(pavement, area, sizes, seed, set_out);
   } else {
-    append_bordered_bond(pavement, seed, set_out);
+    append_bordered_bond(pavement, sizes, seed, set_out);
   }
   StoneLayout layout = varied(std::move(set_out.layout), set_out.held, pavement, side_bulge(pavement), seed);
   colour(layout, pavement, seed);

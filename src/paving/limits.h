@@ -21,6 +21,9 @@ inline constexpr Bounds stone_bounds_mm{1.0, 100'000.0};
 inline constexpr Bounds joint_bounds_mm{0.0, 1000.0};
 // Of `Bonding::span_mm`. If it is not 0, it must also be at least five stones wide, since fewer make no arc (laying.cpp).
 inline constexpr Bounds span_bounds_mm{0.0, 1'000'000.0};
+// Of the sizes of packed stones, as a part of the one that is asked for: within, stones of a plan differ by sixteen times each
+// way. The grid on which sizes are sampled must tell the smallest (paving/field/size_field.cpp).
+inline constexpr Bounds size_bounds{0.25, 4.0};
 // Of `Bonding::offset`, a part of a stone.
 inline constexpr Bounds offset_bounds{0.0, 1.0};
 // Half of it is joint at the most, and stones are at least a millimetre wide. 0 is no kerb.

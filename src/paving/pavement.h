@@ -1,6 +1,7 @@
 // A pavement as it is asked for: by a scene, or by a room that makes one of another, as kerbs and steps are.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "core/angle.h"
+#include "core/overloaded.h"
 #include "geometry/polygon.h"
 #include "paving/texture_set.h"
 #include "studio/world.h"
@@ -51,6 +53,48 @@ struct GridDirection {
 };
 
 using Direction = std::variant<ConstantDirection, BoundaryDirection, RadialDirection, GuidesDirection, GridDirection>;
+
+// How large packed stones are, as a part of `Pavement::stone_mm` each way (paving/field/size_field.h). Factors are > 0.
+//
+// All alike.
+struct EqualSizes {
+  bool operator==(const EqualSizes&) const = default;
+};
+
+// From `near` at a line to `far` from `distance_mm` on, evenly between.
+struct SizeRamp {
+  double near = 1.0;
+  double far = 1.0;
+  double distance_mm = 1000.0;  // > 0
+  bool operator==(const SizeRamp&) const = default;
+};
+
+// By the distance from the outline and the holes.
+struct SizesFromEdge {
+  SizeRamp ramp;
+  bool operator==(const SizesFromEdge&) const = default;
+};
+
+// By the distance from polylines.
+struct SizesFromLines {
+  SizeRamp ramp;
+  std::vector<std::vector<vec2>> lines_mm;  // one or more, each of two or more distinct points
+  bool operator==(const SizesFromLines&) const = default;
+};
+
+// By a grey picture that lies over the plan: `dark` where it is 0, `light` where it is 1, evenly between. Beyond it sizes are
+// those of its nearest pixel.
+struct SizesOfMap {
+  double dark = 1.0;
+  double light = 1.0;
+  vec2 low_mm{0.0, 0.0};  // of the rectangle that it covers, whose upper corner is higher on both axes
+  vec2 high_mm{1.0, 1.0};
+  std::size_t columns = 0;   // >= 1
+  std::vector<float> greys;  // 0 … 1, whole rows from the top, one or more
+  bool operator==(const SizesOfMap&) const = default;
+};
+
+using Sizes = std::variant<EqualSizes, SizesFromEdge, SizesFromLines, SizesOfMap>;
 
 // The bond: the rule by which stones are laid. What each is, and makes of `stone_mm`, is told in its file of paving/bonds.
 // Ordered as the table there; `course` is the last.
@@ -115,6 +159,21 @@ enum class Finish {
 
 // The edge between face and side.
 enum class Arris { rounded, chamfered };
+
+// What becomes of the cells of a packing in organic textures, for which Miyata and Itoh's §5 hopes to use it: bodies of their
+// own, without straight sides (paving/surface/cell_body.h). `StoneSurface::height_mm` and its spread are their height.
+enum class CellForm {
+  stone,   // none: stones as all else here says
+  cobble,  // a pebble, as round below as above
+  scale    // the scale of a reptile, whose tip lies over the next ones
+};
+
+struct CellShape {
+  CellForm form = CellForm::stone;
+  double roundness = 0.5;  // of the outline: from 0, the cell with its corners rounded, to 1, an ellipse
+  double overlap = 0.4;    // scale: how far its tip reaches into the next cells, as a part of its length, 0 … 1
+  bool operator==(const CellShape&) const = default;
+};
 
 // The body of a stone with a finish: a face with a crown, arrises of one width and steep sides. `StoneSurface::height_mm` and
 // its spread are then the height of the face above the filling of the joints, and the insets have no effect.
@@ -234,10 +293,12 @@ struct Pavement {
   vec2 stone_mm{100.0, 100.0};  // face of a whole stone: along the rows, across them; > 0
   double joint_mm = 8.0;        // between faces of neighbours, >= 0; half of it stays free along outline and holes
   Direction direction;
+  Sizes sizes;  // of packed stones; others are alike
   Bonding bonding;
   Border border;
   StoneSurface surface;
   StoneBody body;
+  CellShape cell;  // of another form than `stone`, the body has no effect
   Variation variation;
   HandLaying hand;
   Relief relief;
@@ -254,6 +315,23 @@ struct Pavement {
 
 // From one stone to the next: along the rows, across them (mm). A stone and a joint.
 inline vec2 pitch_mm(const Pavement& pavement) { return pavement.stone_mm + vec2{pavement.joint_mm, pavement.joint_mm}; }
+
+// Whether the sizes of stones follow a field.
+inline bool has_sizes(const Pavement& pavement) { return !std::holds_alternative<EqualSizes>(pavement.sizes); }
+
+// The least and the greatest of the sizes that are asked for.
+struct SizeRange {
+  double smallest = 1.0;
+  double largest = 1.0;
+};
+inline SizeRange size_range(const Pavement& pavement) {
+  const auto range = [](double a, double b) { return SizeRange{std::min(a, b), std::max(a, b)}; };
+  return std::visit(Overloaded{[](const EqualSizes&) { return SizeRange{}; },
+                               [&](const SizesFromEdge& sizes) { return range(sizes.ramp.near, sizes.ramp.far); },
+                               [&](const SizesFromLines& sizes) { return range(sizes.ramp.near, sizes.ramp.far); },
+                               [&](const SizesOfMap& map) { return range(map.dark, map.light); }},
+                    pavement.sizes);
+}
 
 // Of the pavement that the kerb stones of `pavement` are.
 inline std::string kerb_name(const Pavement& pavement) { return pavement.name + "_kerb"; }

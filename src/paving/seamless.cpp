@@ -167,9 +167,9 @@ Plan plan_of(const Pavement& pavement) {
   std::optional<Pattern> pattern = periodic_pattern(pavement);
   if (!pattern) {
     const auto others = names_of_bonds([](const BondType& type) { return type.pattern == nullptr; });
-    throw InputError(
-        texture_place(pavement, "seamless"),
-        fmt::format("expected a bond that repeats (not {}), and rows in one direction", fmt::join(others, " or ")));
+    throw InputError(texture_place(pavement, "seamless"),
+                     fmt::format("expected a bond that repeats (not {}), rows in one direction and stones of one size",
+                                 fmt::join(others, " or ")));
   }
   if (pavement.border.course != BorderCourse::none) {
     throw InputError(texture_place(pavement, "seamless"), "expected no border_course, since a tile has no border");
@@ -199,7 +199,9 @@ SeamlessTile seamless_tile(const Pavement& pavement, std::uint64_t seed) {
         const vec2 turned = repetition.at(step) + p.x * along + p.y * left_of(along);
         outline.push_back(geometry::on_lattice(fit.stretch * turned));
       }
-      const Angle angle = axis_angle(stone.axis.x * along + stone.axis.y * left_of(along));
+      const Angle angle = pavement.cell.form == CellForm::scale
+                              ? main_direction(pavement)
+                              : axis_angle(stone.axis.x * along + stone.axis.y * left_of(along));
       for (geometry::Polygon& face : faces_of(outline, pavement.joint_mm)) {
         const int id = static_cast<int>(tile.layout.stones.size());
         tile.layout.stones.push_back({id, StoneKind::whole, std::move(face), angle});

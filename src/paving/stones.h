@@ -21,7 +21,7 @@ struct Stone {
   int id = 0;  // its index among all that were laid; those of missing stones are left out
   StoneKind kind = StoneKind::whole;
   geometry::Polygon outline_mm;  // its face before edges are rounded; counter-clockwise, simple, on the lattice
-  Angle angle;                   // of its rows, from +x
+  Angle angle;                   // of its rows, from +x; of a scale, where its tip points
   StonePart part = StonePart::field;
   double sunk_mm = 0.0;  // how far it lies in a hollow of its own, >= 0
   int colour = -1;       // which of the user's own colours it has; -1: the material's

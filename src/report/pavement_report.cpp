@@ -158,6 +158,14 @@ std::string notes(const measure::LayoutFigures& f) {
         "wide. ",
         f.hand.joint_median_percent, f.hand.joint_ln_spread, f.hand.side_spread_percent, f.hand.aspect_p90);
   }
+  if (f.cells.counted > 0) {
+    words += fmt::format(
+        "Of {} cells with neighbours all round, {:.1f} % have four, {:.1f} % five, {:.1f} % six; their areas have a median of "
+        "{:.0f} mm², and their logarithms a standard deviation of {:.2f}; their sides line up with the field to an order of "
+        "{:.3f} (1: all do, 0: none). ",
+        grouped(f.cells.counted), f.cells.four_percent, f.cells.five_percent, f.cells.six_percent, f.cells.area_median_mm2,
+        f.cells.area_ln_spread, f.cells.order);
+  }
   if (f.counted_stones > 0) {
     words += fmt::format(
         "The field asks for at least {:.1f} irregular spots: {:.1f} ends of columns, since rows bend, {:.1f} ends of rows, "

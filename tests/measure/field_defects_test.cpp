@@ -12,7 +12,7 @@ namespace {
 
 FieldDefects defects(const paving::Pavement& pavement) {
   const geometry::RegionIndex area(pavement.area);
-  return field_defects(pavement, paving::DirectionField(pavement, area), area);
+  return field_defects(pavement, paving::DirectionField(pavement, area), paving::SizeField(pavement, area), area);
 }
 
 geometry::Region square(double low, double high) { return {{{low, low}, {high, low}, {high, high}, {low, high}}, {}}; }

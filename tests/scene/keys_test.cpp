@@ -199,11 +199,13 @@ TEST(Keys, TakeTheirChoicesAndNoOther) {
     if (key->name == "outline_units") continue;
     for (const std::string_view choice : key->choices) {
       const std::string said = answer(path, fmt::format("\"{}\"", choice));
-      // Guides must be given beside the kind that takes them.
-      if (choice == "guides") {
+      // Guides, lines and files must be given beside the kind that takes them.
+      if (choice == "guides" || choice == "line") {
         EXPECT_EQ(said, "expected one or more polylines, got none");
       } else if (choice == "grid") {
         EXPECT_EQ(said, "expected grid_file = \"…\", a file of vectors, got none");
+      } else if (choice == "map") {
+        EXPECT_EQ(said, "expected map_file = \"…\", a picture of one grey channel, got none");
       } else {
         EXPECT_EQ(said, "") << path << " = " << choice;
       }

@@ -39,10 +39,12 @@ struct Placed {
   vec2 by{0.0, 0.0};  // mm
 };
 
-geometry::Box box_of(const geometry::Polygon& outline) {
-  geometry::Box box = geometry::bounding_box(outline);
-  // Patches may leave the outline by the tolerance of corners.
-  const double reach = paving::corner_tolerance * std::sqrt(std::abs(geometry::area(outline)));
+geometry::Box box_of(const Surface& surface, std::size_t stone) {
+  const geometry::Polygon& outline = surface.stones[stone].outline_mm;
+  const geometry::Box box = geometry::bounding_box(outline);
+  // Patches may leave the outline by the tolerance of corners, and scales by their tips.
+  const double reach = paving::corner_tolerance * std::sqrt(std::abs(geometry::area(outline))) +
+                       paving::reach_of_cell_mm(outline, surface.pavement.cell);
   return {box.low - reach, box.high + reach};
 }
 
@@ -50,7 +52,7 @@ geometry::Box box_of(const geometry::Polygon& outline) {
 std::vector<Placed> placed_stones(const Surface& surface, const geometry::Box& window, vec2 period) {
   std::vector<Placed> placed;
   for (std::size_t s = 0; s < surface.stones.size(); ++s) {
-    const geometry::Box box = box_of(surface.stones[s].outline_mm);
+    const geometry::Box box = box_of(surface, s);
     vec2 first{0.0, 0.0};
     vec2 last{0.0, 0.0};
     if (surface.periodic) {
@@ -143,7 +145,7 @@ class Drawing {
   };
   // The bands that a stone lies in.
   Rows bands_of(const Placed& placed) const {
-    const geometry::Box box = box_of(surface_.stones[placed.stone].outline_mm);
+    const geometry::Box box = box_of(surface_, placed.stone);
     const double rows = static_cast<double>(band_rows_ * samples_);
     const auto band = [&](double y) {
       return static_cast<std::size_t>(std::clamp(std::floor(y / rows), 0.0, static_cast<double>(bands_ - 1)));
@@ -172,7 +174,7 @@ class Drawing {
 
   void draw_stone(const Placed& placed, Band& band) const {
     const paving::Stone& stone = surface_.stones[placed.stone];
-    const geometry::Box box = box_of(stone.outline_mm);
+    const geometry::Box box = box_of(surface_, placed.stone);
     const vec2 low = in_samples(vec2{box.low.x, box.high.y} + placed.by);
     const vec2 high = in_samples(vec2{box.high.x, box.low.y} + placed.by);
     const double band_top = static_cast<double>(band.first_row);

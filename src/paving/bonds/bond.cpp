@@ -65,6 +65,7 @@ Angle main_direction(const Pavement& pavement) {
 
 // Rows that keep their distance from a line have none to keep it from in a field of vectors.
 bool is_bent(const Pavement& pavement) {
+  if (has_sizes(pavement)) return true;
   const Bending bending = type_of(pavement).bending;
   if (std::holds_alternative<GridDirection>(pavement.direction)) return bending == Bending::packed;
   return bending != Bending::straight && !runs_one_way(pavement);
@@ -73,7 +74,7 @@ bool is_bent(const Pavement& pavement) {
 bool is_drawn(const Pavement& pavement) {
   if (pavement.hand.amount > 0.0) return true;
   const Drawing drawing = type_of(pavement).drawing;
-  return drawing == Drawing::always || (drawing == Drawing::where_bent && !runs_one_way(pavement));
+  return drawing == Drawing::always || (drawing == Drawing::where_bent && (!runs_one_way(pavement) || has_sizes(pavement)));
 }
 
 double side_bulge(const Pavement& pavement) {
@@ -88,7 +89,9 @@ std::optional<Pattern> periodic_pattern(const Pavement& pavement) {
 }
 
 Angle pattern_direction(const Pavement& pavement) {
-  return main_direction(pavement) + pavement.bonding.turn + type_of(pavement).pattern_turn;
+  // Scales stand on their corners.
+  const Angle on_corners = Angle::degrees(pavement.cell.form == CellForm::scale ? 45.0 : 0.0);
+  return main_direction(pavement) + pavement.bonding.turn + type_of(pavement).pattern_turn + on_corners;
 }
 
 std::vector<Tile> bond_tiles(const Pavement& pavement, const geometry::RegionIndex& area, std::uint64_t seed) {

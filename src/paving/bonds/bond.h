@@ -32,7 +32,8 @@ Angle main_direction(const Pavement& pavement);
 // The angle of an axis, whose sign means nothing, in (−90°, 90°].
 Angle axis_angle(vec2 axis);
 
-// Whether the rows of the pavement bend: its bond can, and its direction is not the same everywhere.
+// Whether the rows of the pavement bend: its bond can, and its direction, or the size of its stones, is not the same
+// everywhere.
 bool is_bent(const Pavement& pavement);
 // Whether the seed decides where stones are set out.
 bool is_drawn(const Pavement& pavement);

@@ -12,8 +12,8 @@ namespace {
 constexpr double bent_stock = 1.5;
 
 Stock packed_stock(const Pavement& pavement) {
-  const bool is_straight = std::holds_alternative<ConstantDirection>(pavement.direction);
-  return stock_of(is_straight ? pavement.stone_mm : bent_stock * pavement.stone_mm);
+  const bool is_straight = std::holds_alternative<ConstantDirection>(pavement.direction) && !has_sizes(pavement);
+  return stock_of(is_straight ? pavement.stone_mm : bent_stock * size_range(pavement).largest * pavement.stone_mm);
 }
 
 Pattern packed_pattern(const Pavement& pavement) { return rows_pattern(pitch_mm(pavement), 0.0); }
@@ -26,7 +26,8 @@ extern constinit const BondType packed_bond{
     .sentence = "square packing along the direction, wherever it bends",
     .stone_words = each_stone,
     .stock_words =
-        "`stone_mm` in one direction; where rows bend one and a half times that each way, since no two stones are alike",
+        "`stone_mm` in one direction; where rows bend, or sizes follow a field, one and a half times that (of the largest "
+        "size) each way, since no two stones are alike",
     .is_for_scenes = true,
     .bending = Bending::packed,
     .drawing = Drawing::where_bent,

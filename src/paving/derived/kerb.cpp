@@ -43,6 +43,8 @@ Pavement kerb(const Pavement& pavement) {
   result.body.arris_mm = std::min(arris_mm, 0.1 * pavement.kerb.width_mm);
   result.relief = preset.relief;
   result.surface.height_spread = 0.0;
+  result.sizes = EqualSizes{};
+  result.cell = CellShape{};
   result.surface.height_mm = pavement.kerb.height_mm + face_mm(pavement) - bed_level_mm(pavement);
   result.look.wetness = std::min(pavement.look.wetness, 0.5);  // no water stands on a kerb
   result.textures.seamless = false;                            // a strip about a corner repeats in no direction

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "geometry/segment_distance.h"
+#include "paving/field/axes.h"
 
 namespace shatterpave::paving {
 
@@ -191,7 +193,9 @@ Direction zone_direction(const std::vector<Segment>& sides) {
 }  // namespace
 
 DirectionField::DirectionField(const Pavement& pavement, const geometry::RegionIndex& area)
-    : direction_(pavement.direction), fold_(pavement.stone_mm.x == pavement.stone_mm.y ? 4 : 2) {
+    : direction_(pavement.direction),
+      fold_(pavement.stone_mm.x == pavement.stone_mm.y ? 4 : 2),
+      on_corners_(pavement.cell.form == CellForm::scale) {
   const bool plain =
       std::holds_alternative<ConstantDirection>(direction_) || std::holds_alternative<RadialDirection>(direction_);
   if (plain) return;
@@ -264,6 +268,11 @@ void DirectionField::fill_ring(std::vector<bool>& known) {
 
 void DirectionField::solve(const Pavement& pavement, const geometry::RegionIndex& area) {
   const auto lines = followed_lines(direction_, area);
+  if (on_corners_ && std::holds_alternative<BoundaryDirection>(direction_)) outline_ = area;
+  if (on_corners_ && !outline_) {
+    guides_.reserve(lines.size());
+    for (const Segment& line : lines) guides_.emplace_back(line.from, line.to);
+  }
   if (lines.empty()) throw InputError("guides: expected at least one polyline of two distinct points");
   const vec2 pitch = pitch_mm(pavement);
   const geometry::Box box = field_box(area, lines, 4.0 * std::max(pitch.x, pitch.y));
@@ -292,6 +301,37 @@ vec2 DirectionField::sampled(vec2 place) const {
 }
 
 vec2 DirectionField::axis(vec2 place) const {
+  const vec2 along = asked_axis(place);
+  constexpr double half_diagonal = 0.70710678118654752;
+  return on_corners_ ? half_diagonal * (along + left_of(along)) : along;
+}
+
+// Of no meaning but its side.
+vec2 DirectionField::sense(vec2 place) const {
+  if (outline_) {
+    const Segment& side = outline_->segments()[outline_->nearest(place).segment];
+    return side.to - side.from;
+  }
+  if (!guides_.empty()) {
+    const auto nearest = std::ranges::min_element(guides_, {}, [&](const std::pair<vec2, vec2>& side) {
+      return geometry::distance_to_segment(place, side.first, side.second);
+    });
+    return nearest->second - nearest->first;
+  }
+  const auto* grid = std::get_if<GridDirection>(&direction_);
+  if (grid == nullptr) return asked_axis(place);
+  const vec2 most{static_cast<double>(samples_.columns - 1), static_cast<double>(samples_.rows - 1)};
+  const vec2 at = glm::clamp((place - samples_.origin) / samples_.spacing_mm, vec2{0.0, 0.0}, most) + vec2{0.5, 0.5};
+  return grid->vectors[static_cast<std::size_t>(at.y) * samples_.columns + static_cast<std::size_t>(at.x)];
+}
+
+vec2 DirectionField::heading(vec2 place) const {
+  const vec2 side = sense(place);
+  const vec2 along = asked_axis(place);
+  return side == vec2{0.0, 0.0} ? along : turned_like(along, side, is_cross());
+}
+
+vec2 DirectionField::asked_axis(vec2 place) const {
   if (const auto* constant = std::get_if<ConstantDirection>(&direction_)) return constant->angle.direction();
   if (const auto* radial = std::get_if<RadialDirection>(&direction_)) return unit(left_of(place - radial->centre_mm), along_x);
   if (border_) return zones_[zone_of_segment_[border_->nearest(place).segment]].field.axis(place);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/angle.h"
@@ -24,10 +25,14 @@ class DirectionField {
   DirectionField(const Pavement& pavement, const geometry::RegionIndex& area);
 
   // Unit vector along the rows at `place`, which may lie outside the area. Its sign has no meaning; in a cross field quarter
-  // turns have none either.
+  // turns have none either. Scales stand on their corners: the rows of their cells run at 45° to the direction asked for.
   vec2 axis(vec2 place) const;
   // The axis as an angle, in (−90°, 90°], of a cross field that is not plainly of rows (boundary, guides) in (−45°, 45°].
   Angle angle(vec2 place) const;
+  // Where scales point, a unit vector: along the direction asked for, on the side to which a constant direction points, circles
+  // run counter-clockwise, the nearest guide runs from its first point to its last, the nearest side of the border with the
+  // area to its left, the nearest vector of a grid. Only of a pavement of scales.
+  vec2 heading(vec2 place) const;
   // Whether it is a cross field, in which quarter turns have no meaning.
   bool is_cross() const { return fold_ == 4; }
 
@@ -52,10 +57,15 @@ class DirectionField {
   void solve(const Pavement& pavement, const geometry::RegionIndex& area);
   void part(const Pavement& pavement, const geometry::RegionIndex& area, const BorderZones& parts);
   vec2 sampled(vec2 place) const;
+  vec2 asked_axis(vec2 place) const;
+  vec2 sense(vec2 place) const;
 
   Direction direction_;
   int fold_ = 4;
   Samples samples_;
+  bool on_corners_ = false;                       // of scales
+  std::vector<std::pair<vec2, vec2>> guides_;     // their sides, for the sense of scales
+  std::optional<geometry::RegionIndex> outline_;  // of the area, for the same
   std::vector<Zone> zones_;
   std::optional<geometry::RegionIndex> border_;  // where there are zones
   std::vector<std::uint32_t> zone_of_segment_;   // of the border

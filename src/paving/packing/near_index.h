@@ -1,4 +1,6 @@
-// Points sorted into squares of a fixed size, to be asked for those near a place. Points can be added.
+// Points sorted into squares of a fixed size, to be asked for those near a place. Points can be added. Where what is packed
+// differs in size, squares are for the smallest, and a question about a larger one looks at more of them: so a look costs what
+// lies near.
 //
 // It stands beside geometry/point_index.h, which also moves points and finds the nearest: a packing is asked for all neighbours
 // of all points at once, adds up forces in the order in which they are visited, and so keeps its own order and its bits.
@@ -34,17 +36,27 @@ class NearIndex {
   // squares share a slot, which the visitor must bear. The order depends on the points alone.
   template <typename Visit>
   void for_each_near(vec2 at, Visit visit) const {
-    const std::int64_t c = column(at.x);
-    const std::int64_t r = column(at.y);
-    for (std::int64_t dr = -1; dr <= 1; ++dr) {
-      for (std::int64_t dc = -1; dc <= 1; ++dc) {
-        for (std::uint32_t i = heads_[slot_of(c + dc, r + dr)]; i != none; i = next_[i]) visit(i);
-      }
-    }
+    for_each_within(at, 1, visit);
+  }
+  // The same for another reach.
+  template <typename Visit>
+  void for_each_near(vec2 at, double reach_mm, Visit visit) const {
+    for_each_within(at, static_cast<std::int64_t>(std::ceil(reach_mm / square_mm_)), visit);
   }
 
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  template <typename Visit>
+  void for_each_within(vec2 at, std::int64_t squares, Visit visit) const {
+    const std::int64_t c = column(at.x);
+    const std::int64_t r = column(at.y);
+    for (std::int64_t dr = -squares; dr <= squares; ++dr) {
+      for (std::int64_t dc = -squares; dc <= squares; ++dc) {
+        for (std::uint32_t i = heads_[slot_of(c + dc, r + dr)]; i != none; i = next_[i]) visit(i);
+      }
+    }
+  }
 
   std::int64_t column(double mm) const { return static_cast<std::int64_t>(std::floor(mm / square_mm_)); }
   std::size_t slot_of(std::int64_t c, std::int64_t r) const {

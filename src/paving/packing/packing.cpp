@@ -9,6 +9,8 @@
 // depart from a smooth near-square norm): then the plain lattice is exactly at rest, diagonal neighbours included, and
 // straight rows are left as they are.
 //
+// Where sizes follow a field, a pitch is half of one neighbour's and half of the other's.
+//
 // Borders that run along or across the rows act as mirrors: a square rests half a pitch from its own image.
 #include "paving/packing/packing.h"
 
@@ -68,8 +70,9 @@ vec2 force_at(vec2 q) {
 
 class Packing {
  public:
-  Packing(std::vector<Particle> particles, vec2 pitch, const geometry::RegionIndex& area, const DirectionField& field)
-      : particles_(std::move(particles)), pitch_(pitch), area_(area), field_(field) {}
+  Packing(std::vector<Particle> particles, vec2 pitch, const geometry::RegionIndex& area, const DirectionField& field,
+          const SizeField& sizes)
+      : particles_(std::move(particles)), pitch_(pitch), area_(area), field_(field), sizes_(sizes) {}
 
   void relax() {
     list_neighbours();
@@ -86,11 +89,11 @@ class Packing {
         const double speed = largest(velocity[i]);
         constexpr double most = 0.2;  // pitches a step: no particle jumps over a neighbour
         const double scale = speed * time_step > most ? most / (speed * time_step) : 1.0;
-        particles_[i].at += Frame{particles_[i].axis, pitch_}.out_of(scale * time_step * velocity[i]);
+        particles_[i].at += particles_[i].frame(pitch_).out_of(scale * time_step * velocity[i]);
       }
     }
     parallel_for_chunks(particles_.size(), 2048, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) particles_[i].axis = field_.axis(particles_[i].at);
+      for (std::size_t i = begin; i < end; ++i) particles_[i] = particle_at(particles_[i].at);
     });
   }
 
@@ -111,13 +114,23 @@ class Packing {
     bool along = true;  // it runs along the rows, so it acts across them
   };
 
-  Frame frame_between(std::size_t i, std::size_t j) const {
-    return mean_frame(particles_[i].axis, particles_[j].axis, field_.is_cross(), pitch_);
+  Particle particle_at(vec2 at) const { return {at, field_.axis(at), sizes_.at(at)}; }
+
+  Frame frame_of_both(std::size_t i, std::size_t j) const {
+    return frame_between(particles_[i], particles_[j], field_.is_cross(), pitch_);
   }
-  vec2 between(std::size_t i, std::size_t j) const { return frame_between(i, j).into(particles_[j].at - particles_[i].at); }
+  vec2 between(std::size_t i, std::size_t j) const { return frame_of_both(i, j).into(particles_[j].at - particles_[i].at); }
+
+  double longer_mm() const { return std::max(pitch_.x, pitch_.y); }
+  // How far neighbours may be that are listed, of one of this size.
+  double reach_mm(double size) const {
+    // A neighbour may be larger by so much. Where all are alike the squares of the index are as wide as this.
+    const double larger = sizes_.is_even() ? 1.0 : 1.0 + most_growth;
+    return listed * larger * size * longer_mm();
+  }
 
   NearIndex index() const {
-    NearIndex near(listed * std::max(pitch_.x, pitch_.y), particles_.size());
+    NearIndex near(listed * sizes_.smallest() * longer_mm(), particles_.size());
     for (const Particle& p : particles_) near.add(p.at);
     return near;
   }
@@ -130,13 +143,13 @@ class Packing {
     std::vector<std::uint32_t> found;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
       found.clear();
-      near.for_each_near(particles_[i].at, [&](std::uint32_t j) {
+      near.for_each_near(particles_[i].at, reach_mm(particles_[i].size), [&](std::uint32_t j) {
         if (j != i && largest(between(i, j)) < listed) found.push_back(j);
       });
       std::ranges::sort(found);
       found.erase(std::unique(found.begin(), found.end()), found.end());
       listed_.insert(listed_.end(), found.begin(), found.end());
-      for (const std::uint32_t j : found) axes_.push_back(frame_between(i, j).axis);
+      for (const std::uint32_t j : found) axes_.push_back(frame_of_both(i, j).axis);
       first_[i + 1] = listed_.size();
     }
   }
@@ -144,12 +157,12 @@ class Packing {
   // For each particle the nearest border that runs along its row, and the nearest that runs across it.
   void list_walls() {
     walls_.assign(particles_.size(), {});
-    const double reach = mirrored * std::max(pitch_.x, pitch_.y);
+    const double reach = mirrored * longer_mm();
     parallel_for_chunks(particles_.size(), 2048, [&](std::size_t begin, std::size_t end) {
       std::vector<std::size_t> near;
       for (std::size_t i = begin; i < end; ++i) {
         near.clear();
-        area_.near(particles_[i].at, reach, near);
+        area_.near(particles_[i].at, particles_[i].size * reach, near);
         for (const bool along : {true, false}) add_wall(i, along, near);
       }
     });
@@ -171,15 +184,15 @@ class Packing {
 
   // In the particle's frame.
   vec2 total_force(std::size_t i) const {
-    const Frame own{particles_[i].axis, pitch_};
+    const Frame own = particles_[i].frame(pitch_);
     vec2 sum{0.0, 0.0};
     for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
-      const Frame frame{axes_[k], pitch_};
+      const Frame frame{axes_[k], (0.5 * (particles_[i].size + particles_[listed_[k]].size)) * pitch_};
       sum += frame.out_of(force_at(frame.into(particles_[i].at - particles_[listed_[k]].at)));
     }
     for (const Wall& wall : walls_[i]) {
       if (wall.normal == vec2{0.0, 0.0}) continue;
-      const double pitch = wall.along ? pitch_.y : pitch_.x;
+      const double pitch = wall.along ? own.pitch.y : own.pitch.x;
       const double height = glm::dot(particles_[i].at - wall.point, wall.normal) / pitch;
       // The image is twice as far, and moves as the particle does; with its two corners it pushes three times.
       sum += std::copysign(3.0 * law(2.0 * std::abs(height)), height) * pitch * wall.normal;
@@ -214,17 +227,17 @@ class Packing {
     NearIndex near = index();
     const std::size_t before = particles_.size();
     for (std::size_t i = 0; i < before; ++i) {
-      const Frame frame{particles_[i].axis, pitch_};
+      const Frame frame = particles_[i].frame(pitch_);
       for (const vec2 step : {vec2{1.0, 0.0}, vec2{0.0, 1.0}, vec2{-1.0, 0.0}, vec2{0.0, -1.0}}) {
         const vec2 at = particles_[i].at + frame.out_of(step);
+        const Particle here{at, frame.axis, sizes_.at(at)};
         bool free = true;
-        near.for_each_near(at, [&](std::uint32_t j) {
+        near.for_each_near(at, reach_mm(here.size), [&](std::uint32_t j) {
           free =
-              free &&
-              largest(mean_frame(frame.axis, particles_[j].axis, field_.is_cross(), pitch_).into(particles_[j].at - at)) >= gap;
+              free && largest(frame_between(here, particles_[j], field_.is_cross(), pitch_).into(particles_[j].at - at)) >= gap;
         });
         if (!free || !(area_.contains(at) || area_.border_within(at, band_mm))) continue;
-        particles_.push_back({at, field_.axis(at)});
+        particles_.push_back(particle_at(at));
         near.add(at);
       }
     }
@@ -235,6 +248,7 @@ class Packing {
   vec2 pitch_;
   const geometry::RegionIndex& area_;
   const DirectionField& field_;
+  const SizeField& sizes_;
   std::vector<std::size_t> first_;  // neighbours of particle i are listed_[first_[i] … first_[i + 1])
   std::vector<std::uint32_t> listed_;
   std::vector<vec2> axes_;  // of the frame between a particle and its neighbour, beside listed_
@@ -244,13 +258,13 @@ class Packing {
 }  // namespace
 
 std::vector<Particle> packed_particles(const Pavement& pavement, const geometry::RegionIndex& area, const DirectionField& field,
-                                       std::uint64_t seed) {
+                                       const SizeField& sizes, std::uint64_t seed) {
   const vec2 pitch = pitch_mm(pavement);
-  const double band = band_pitches * std::max(pitch.x, pitch.y);
-  if (const auto* constant = std::get_if<ConstantDirection>(&pavement.direction)) {
-    return straight_rows(area, constant->angle.direction(), pitch, band);
+  const double band = band_pitches * sizes.largest_along(area) * std::max(pitch.x, pitch.y);
+  if (std::holds_alternative<ConstantDirection>(pavement.direction) && sizes.is_even()) {
+    return straight_rows(area, field.axis({0.0, 0.0}), pitch, band);
   }
-  Packing packing(rows_along(field, area, pitch, band, seed), pitch, area, field);
+  Packing packing(rows_along(field, sizes, area, pitch, band, seed), pitch, area, field, sizes);
   for (int round = 0; round < rounds; ++round) {
     packing.relax();
     if (round + 1 < rounds && packing.change(band) == 0) break;

@@ -6,14 +6,15 @@
 
 #include "geometry/region_index.h"
 #include "paving/field/direction_field.h"
+#include "paving/field/size_field.h"
 #include "paving/packing/particle.h"
 #include "paving/pavement.h"
 
 namespace shatterpave::paving {
 
 // Particles that fill the area, and a band of more than two pitches about it, so that the stones at the border are cut
-// from rows that go on beyond it. No two are in one place.
+// from rows that go on beyond it. No two are in one place. `sizes` tells how large each is.
 std::vector<Particle> packed_particles(const Pavement& pavement, const geometry::RegionIndex& area, const DirectionField& field,
-                                       std::uint64_t seed);
+                                       const SizeField& sizes, std::uint64_t seed);
 
 }  // namespace shatterpave::paving

@@ -52,7 +52,7 @@ struct DiagonalRule {
 };
 
 double DiagonalRule::score(const Particle& a, const Particle& b) const {
-  const vec2 q = mean_frame(a.axis, b.axis, pitch.x == pitch.y, pitch).into(b.at - a.at);
+  const vec2 q = frame_between(a, b, pitch.x == pitch.y, pitch).into(b.at - a.at);
   const double u = std::abs(q.x);
   const double v = std::abs(q.y);
   return std::min(u, v) / std::max(u, v);
@@ -169,6 +169,7 @@ Cells cells_of(std::span<const Particle> particles, const Pavement& pavement) {
   cells.first.push_back(0);
   for (std::size_t p = 0; p < particles.size(); ++p) {
     cells.axis.push_back(particles[p].axis);
+    cells.size.push_back(particles[p].size);
     const auto around = mesh.around(p);
     const bool open = std::ranges::any_of(around, [](const Delaunay::Spoke& s) { return s.face == Delaunay::none; });
     for (std::size_t k = 0; k < around.size() && !open; ++k) {

@@ -56,7 +56,10 @@ struct Wall {
 struct Sample {
   vec2 at{0.0, 0.0};
   vec2 axis{1.0, 0.0};
+  vec2 pitch{1.0, 1.0};    // of its lattice, mm
   vec2 lattice{0.0, 0.0};  // the point of its lattice nearest to `at`
+
+  Frame frame() const { return {axis, pitch}; }
 };
 
 struct Level {
@@ -70,8 +73,14 @@ constexpr std::uint32_t none = UINT32_MAX;
 
 class PositionField {
  public:
-  PositionField(const DirectionField& field, const geometry::RegionIndex& area, vec2 pitch, double band_mm, std::uint64_t seed)
-      : field_(field), area_(area), pitch_(pitch), seed_(seed), spacing_(std::min(pitch.x, pitch.y) / samples_per_pitch) {
+  PositionField(const DirectionField& field, const SizeField& sizes, const geometry::RegionIndex& area, vec2 pitch,
+                double band_mm, std::uint64_t seed)
+      : field_(field),
+        sizes_(sizes),
+        area_(area),
+        pitch_(pitch),
+        seed_(seed),
+        spacing_(sizes.smallest() * std::min(pitch.x, pitch.y) / samples_per_pitch) {
     levels_.emplace_back();
     levels_.front().points = near_points(grid(0), area, band_mm);
     while (levels_.back().points.size() > 8) {
@@ -116,6 +125,7 @@ class PositionField {
       Sample& sample = level.samples[s];
       sample.at = g.at(p.i, p.j);
       sample.axis = field_.axis(sample.at);
+      sample.pitch = sizes_.at(sample.at) * pitch_;
       const auto before = s > 0 && level.points[s - 1] == GridPoint{p.j, p.i - 1} ? static_cast<std::uint32_t>(s - 1) : none;
       const auto after = s + 1 < level.points.size() && level.points[s + 1] == GridPoint{p.j, p.i + 1}
                              ? static_cast<std::uint32_t>(s + 1)
@@ -126,7 +136,7 @@ class PositionField {
   }
 
   std::optional<Wall> wall_at(const Sample& sample, double step) const {
-    const double reach = std::max(held_pitches * std::max(pitch_.x, pitch_.y), 0.75 * step);
+    const double reach = std::max(held_pitches * std::max(sample.pitch.x, sample.pitch.y), 0.75 * step);
     if (!area_.border_within(sample.at, reach)) return std::nullopt;
     const auto nearest = area_.nearest(sample.at);
     const auto& segment = area_.segments()[nearest.segment];
@@ -134,7 +144,7 @@ class PositionField {
     const bool along = std::abs(cross(sample.axis, tangent)) < along_sine;
     const bool across = std::abs(glm::dot(sample.axis, tangent)) < along_sine;
     if (!along && !across) return std::nullopt;
-    return Wall{nearest.point, left_of(tangent), along ? pitch_.y : pitch_.x};
+    return Wall{nearest.point, left_of(tangent), along ? sample.pitch.y : sample.pitch.x};
   }
 
   // The first guess: what the level above found, or a draw.
@@ -149,7 +159,7 @@ class PositionField {
       } else {
         const Id id = Id("position field").child(s);
         const vec2 draw{uniform(seed_, {Stream::stone_seed, id, 0}), uniform(seed_, {Stream::stone_seed, id, 1})};
-        sample.lattice = sample.at + Frame{sample.axis, pitch_}.out_of(draw);
+        sample.lattice = sample.at + sample.frame().out_of(draw);
       }
       settle(sample);
     }
@@ -157,7 +167,7 @@ class PositionField {
 
   // Takes the point of the sample's lattice that is nearest to it.
   void settle(Sample& sample) const {
-    const Frame frame{sample.axis, pitch_};
+    const Frame frame = sample.frame();
     sample.lattice -= frame.out_of(rounded(frame.into(sample.lattice - sample.at)));
   }
 
@@ -175,12 +185,12 @@ class PositionField {
         const std::uint32_t n = level.neighbours[s][k];
         if (n == none) continue;
         const Sample& other = level.samples[n];
-        const Frame frame = mean_frame(sample.axis, other.axis, field_.is_cross(), pitch_);
+        const Frame frame = mean_frame(sample.axis, other.axis, field_.is_cross(), 0.5 * (sample.pitch + other.pitch));
         const vec2 q = frame.into(other.lattice - sample.lattice);
         sum += frame.out_of(weights[k / 2] * (q - rounded(q)));
         count += weights[k / 2];
       }
-      const Frame own{sample.axis, pitch_};
+      const Frame own = sample.frame();
       if (count.x > 0.0) sample.lattice += own.out_of(own.into(sum) / count);
       hold(level, s);
       settle(sample);
@@ -199,6 +209,7 @@ class PositionField {
   }
 
   const DirectionField& field_;
+  const SizeField& sizes_;
   const geometry::RegionIndex& area_;
   vec2 pitch_;
   std::uint64_t seed_;
@@ -215,15 +226,16 @@ struct Vote {
   vec2 mean() const { return sum / count; }
 };
 
-std::vector<Vote> gathered(const std::vector<Sample>& samples, vec2 pitch) {
-  const double reach = 0.5 * std::max(pitch.x, pitch.y);
-  NearIndex near(reach, samples.size() / 4);
+// `smallest_mm` is the longer pitch of the smallest stone.
+std::vector<Vote> gathered(const std::vector<Sample>& samples, double smallest_mm) {
+  constexpr double reach = 0.5;  // pitches
+  NearIndex near(reach * smallest_mm, samples.size() / 4);
   std::vector<Vote> votes;
   for (const Sample& sample : samples) {
-    const Frame frame{sample.axis, pitch};
+    const Frame frame = sample.frame();
     std::uint32_t best = none;
     double best_distance = 0.4;  // pitches; nearer than half, so that a vote belongs to one place
-    near.for_each_near(sample.lattice, [&](std::uint32_t v) {
+    near.for_each_near(sample.lattice, reach * std::max(frame.pitch.x, frame.pitch.y), [&](std::uint32_t v) {
       const double distance = largest(frame.into(votes[v].mean() - sample.lattice));
       if (distance < best_distance) {
         best_distance = distance;
@@ -254,32 +266,36 @@ std::vector<Particle> straight_rows(const geometry::RegionIndex& area, vec2 alon
   return particles;
 }
 
-std::vector<Particle> rows_along(const DirectionField& field, const geometry::RegionIndex& area, vec2 pitch, double band_mm,
-                                 std::uint64_t seed) {
-  const auto samples = PositionField(field, area, pitch, band_mm, seed).solved();
-  const auto votes = gathered(samples, pitch);
+std::vector<Particle> rows_along(const DirectionField& field, const SizeField& sizes, const geometry::RegionIndex& area,
+                                 vec2 pitch, double band_mm, std::uint64_t seed) {
+  const auto samples = PositionField(field, sizes, area, pitch, band_mm, seed).solved();
+  const double smallest_mm = sizes.smallest() * std::max(pitch.x, pitch.y);
+  const auto votes = gathered(samples, smallest_mm);
   std::vector<std::size_t> order(votes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return votes[a].count > votes[b].count; });
   // Those with most votes first; others only where there is room.
   constexpr double room = 0.62;  // pitches; by trial: below it the packing pushes particles out again
-  NearIndex near(std::max(pitch.x, pitch.y), votes.size());
+  NearIndex near(smallest_mm, votes.size());
   std::vector<vec2> placed;
   std::vector<std::size_t> taken;
   for (const std::size_t v : order) {
-    const Frame frame{votes[v].axis, pitch};
+    const vec2 here = votes[v].mean();
+    const Frame frame{votes[v].axis, sizes.at(here) * pitch};
     bool free = true;
-    near.for_each_near(votes[v].mean(),
-                       [&](std::uint32_t p) { free = free && largest(frame.into(placed[p] - votes[v].mean())) >= room; });
+    near.for_each_near(here, std::max(frame.pitch.x, frame.pitch.y),
+                       [&](std::uint32_t p) { free = free && largest(frame.into(placed[p] - here)) >= room; });
     if (!free) continue;
-    near.add(votes[v].mean());
-    placed.push_back(votes[v].mean());
+    near.add(here);
+    placed.push_back(here);
     taken.push_back(v);
   }
   std::ranges::sort(taken);
   std::vector<Particle> particles;
   particles.reserve(taken.size());
-  for (const std::size_t v : taken) particles.push_back({votes[v].mean(), field.axis(votes[v].mean())});
+  for (const std::size_t v : taken) {
+    particles.push_back({votes[v].mean(), field.axis(votes[v].mean()), sizes.at(votes[v].mean())});
+  }
   return particles;
 }
 

@@ -6,6 +6,7 @@
 
 #include "geometry/region_index.h"
 #include "paving/field/direction_field.h"
+#include "paving/field/size_field.h"
 #include "paving/packing/particle.h"
 
 namespace shatterpave::paving {
@@ -18,7 +19,7 @@ inline constexpr double along_sine = 0.2079;
 std::vector<Particle> straight_rows(const geometry::RegionIndex& area, vec2 along, vec2 pitch, double band_mm);
 
 // Rows along any field, as regular as the field allows, beginning half a pitch from borders that run along or across them.
-std::vector<Particle> rows_along(const DirectionField& field, const geometry::RegionIndex& area, vec2 pitch, double band_mm,
-                                 std::uint64_t seed);
+std::vector<Particle> rows_along(const DirectionField& field, const SizeField& sizes, const geometry::RegionIndex& area,
+                                 vec2 pitch, double band_mm, std::uint64_t seed);
 
 }  // namespace shatterpave::paving

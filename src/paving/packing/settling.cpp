@@ -98,6 +98,7 @@ class Settling {
     find_regular();
     find_tees();
     collect_wishes();
+    find_sizes();
     find_walls();
     original_ = cells_.corners;
     collect_vertices();
@@ -131,7 +132,7 @@ class Settling {
     regular_.assign(cells_.count(), 0);
     for (std::uint32_t cell = 0; cell < cells_.count(); ++cell) {
       regular_[cell] = cells_.first[cell] < cells_.first[cell + 1] ? 1 : 0;
-      const Frame frame{particles_[cell].axis, pitch_};
+      const Frame frame = particles_[cell].frame(pitch_);
       for (std::size_t side = cells_.first[cell]; side < cells_.first[cell + 1]; ++side) {
         const vec2 q = frame.into(cells_.corners[cells_.corner[side]] - particles_[cell].at);
         if (std::max(std::abs(q.x), std::abs(q.y)) > regular_reach) regular_[cell] = 0;
@@ -141,12 +142,12 @@ class Settling {
 
   // Whether two cells lie one after the other along a row.
   bool is_along(std::uint32_t a, std::uint32_t b) const {
-    const vec2 q = frame_between(a, b).into(particles_[b].at - particles_[a].at);
+    const vec2 q = frame_of_both(a, b).into(particles_[b].at - particles_[a].at);
     return std::abs(q.x) >= std::abs(q.y);
   }
 
-  Frame frame_between(std::uint32_t a, std::uint32_t b) const {
-    return mean_frame(particles_[a].axis, particles_[b].axis, pitch_.x == pitch_.y, pitch_);
+  Frame frame_of_both(std::uint32_t a, std::uint32_t b) const {
+    return frame_between(particles_[a], particles_[b], pitch_.x == pitch_.y, pitch_);
   }
 
   // Whether the cell has its straight side where it begins `side`, a corner of three cells.
@@ -199,11 +200,12 @@ class Settling {
   std::size_t corners_of(std::uint32_t cell) const { return cells_.first[cell + 1] - cells_.first[cell]; }
 
   // The wish for the way from one corner to another, along the rows or across them, whichever is nearer.
-  Wish wish(std::uint32_t from, std::uint32_t to, vec2 axis) const {
+  Wish wish(std::uint32_t from, std::uint32_t to, const Frame& frame) const {
     const vec2 d = cells_.corners[to] - cells_.corners[from];
-    const vec2 q = Frame{axis, pitch_}.into(d);
-    if (std::abs(q.x) >= std::abs(q.y)) return {to, q.x < 0.0 ? -axis : axis, pitch_.x, 1.0};
-    return {to, q.y < 0.0 ? -left_of(axis) : left_of(axis), pitch_.y, 1.0};
+    const vec2 axis = frame.axis;
+    const vec2 q = frame.into(d);
+    if (std::abs(q.x) >= std::abs(q.y)) return {to, q.x < 0.0 ? -axis : axis, frame.pitch.x, 1.0};
+    return {to, q.y < 0.0 ? -left_of(axis) : left_of(axis), frame.pitch.y, 1.0};
   }
 
   // The T on whose side these two corners follow one another, if any; only the whole of that side has a length to be.
@@ -216,9 +218,9 @@ class Settling {
   }
 
   // The wish for a part of a straight side: its direction only.
-  Wish wish_for_part(const Tee& tee, std::uint32_t from, std::uint32_t to, vec2 axis) const {
+  Wish wish_for_part(const Tee& tee, std::uint32_t from, std::uint32_t to, const Frame& frame) const {
     const bool forward = to == tee.corner ? from == tee.last : to == tee.next;
-    Wish w = forward ? wish(tee.before, tee.after, axis) : wish(tee.after, tee.before, axis);
+    Wish w = forward ? wish(tee.before, tee.after, frame) : wish(tee.after, tee.before, frame);
     w.neighbour = to;
     w.length_weight = 0.0;
     return w;
@@ -231,12 +233,13 @@ class Settling {
       if (!regular_[cell]) return;
       const std::uint32_t from = cells_.corner[side];
       const std::uint32_t to = side_after(cell, side);
-      const Frame frame = frame_between(cell, cells_.neighbour[side]);
+      // The side turns as both cells do; each wishes it to be as long as its own stone.
+      const Frame frame{frame_of_both(cell, cells_.neighbour[side]).axis, particles_[cell].size * pitch_};
       const Tee* tee = tee_between(from, to);
       // The short side between two cells that meet corner to corner is no side of a stone.
       const vec2 q = frame.into(cells_.corners[to] - cells_.corners[from]);
       if (tee == nullptr && std::max(std::abs(q.x), std::abs(q.y)) < least_side) return;
-      Wish w = tee == nullptr ? wish(from, to, frame.axis) : wish_for_part(*tee, from, to, frame.axis);
+      Wish w = tee == nullptr ? wish(from, to, frame) : wish_for_part(*tee, from, to, frame);
       all.emplace_back(from, w);
       // At the rim no cell beyond the side says where its other end should be.
       const std::uint32_t beyond = cells_.neighbour[side];
@@ -247,10 +250,21 @@ class Settling {
       }
     });
     for (const Tee& tee : tees_) {
-      all.emplace_back(tee.before, wish(tee.before, tee.after, particles_[tee.cell].axis));
-      all.emplace_back(tee.after, wish(tee.after, tee.before, particles_[tee.cell].axis));
+      const Frame frame = particles_[tee.cell].frame(pitch_);
+      all.emplace_back(tee.before, wish(tee.before, tee.after, frame));
+      all.emplace_back(tee.after, wish(tee.after, tee.before, frame));
     }
     std::tie(first_, wishes_) = by_corner(all);
+  }
+
+  // Of each corner the size of the smallest stone there.
+  void find_sizes() {
+    constexpr double none_there = 1e300;
+    sizes_at_.assign(cells_.corners.size(), none_there);
+    for_each_side([&](std::uint32_t cell, std::size_t side) {
+      double& size = sizes_at_[cells_.corner[side]];
+      size = std::min(size, particles_[cell].size);
+    });
   }
 
   // The vertices of regular cells, by corner, and their areas.
@@ -282,11 +296,11 @@ class Settling {
 
   // For each corner near the border the nearest border along its row, and the nearest across it.
   void find_walls() {
-    const double reach = border_reach * std::min(pitch_.x, pitch_.y);
     std::vector<std::size_t> near;
     for (std::uint32_t corner = 0; corner < cells_.corners.size(); ++corner) {
       if (first_[corner] == first_[corner + 1]) continue;
       near.clear();
+      const double reach = border_reach * sizes_at_[corner] * std::min(pitch_.x, pitch_.y);
       area_.near(cells_.corners[corner], reach, near);
       if (near.empty()) continue;
       const vec2 axis = wishes_[first_[corner]].direction;
@@ -328,6 +342,11 @@ class Settling {
   // How the area of the cell grows with the place of its corner, mm² a mm.
   vec2 growth_of(const Vertex& v) const { return -0.5 * left_of(cells_.corners[v.after] - cells_.corners[v.before]); }
 
+  double area_asked_mm2(std::uint32_t cell) const {
+    const double size = particles_[cell].size;
+    return size * size * (pitch_.x * pitch_.y);
+  }
+
   // Where the wishes of the corner are fulfilled best: a symmetric system of two equations.
   vec2 best_place(std::uint32_t corner) const {
     double xx = 0.0;
@@ -352,7 +371,7 @@ class Settling {
       const vec2 growth = growth_of(vertices_[v]);
       const double rate = glm::length(growth);
       if (rate < 1e-3) continue;
-      demand(growth / rate, (pitch_.x * pitch_.y - area_mm2_[vertices_[v].cell]) / rate, area_weight);
+      demand(growth / rate, (area_asked_mm2(vertices_[v].cell) - area_mm2_[vertices_[v].cell]) / rate, area_weight);
     }
     const auto wall = std::ranges::lower_bound(walls_, corner, {}, &CornerWall::corner);
     for (auto w = wall; w != walls_.end() && w->corner == corner; ++w) {
@@ -465,6 +484,7 @@ class Settling {
   std::vector<std::uint32_t> tee_at_;  // of a corner
   std::vector<std::size_t> first_;     // wishes of corner c are wishes_[first_[c] … first_[c + 1])
   std::vector<Wish> wishes_;
+  std::vector<double> sizes_at_;           // of a corner
   std::vector<std::size_t> first_vertex_;  // the same of vertices
   std::vector<Vertex> vertices_;
   std::vector<double> area_mm2_;   // of a regular cell

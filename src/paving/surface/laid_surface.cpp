@@ -14,6 +14,7 @@ LaidSurface::LaidSurface(const Pavement& pavement, const std::vector<Stone>& sto
 StoneDraws LaidSurface::draws(std::size_t index) const {
   StoneDraws own = stone_draws(pavement_, seed_, stones_[index].id);
   own.sink_mm += stones_[index].sunk_mm;
+  if (own.cell) own.cell->heading = stones_[index].angle.direction();
   return traffic_.empty() ? own : worn(own, pavement_, traffic_[index]);
 }
 

@@ -136,6 +136,7 @@ double largest_slope(const Variation& variation) {
 }
 
 std::vector<BezierPatch> patches_of_piece(const Polygon& piece, const StoneDraws& draws, const IsSawn& is_sawn) {
+  if (draws.cell) return cell_patches(piece, *draws.cell);
   return draws.body ? body_patches(piece, *draws.body, is_sawn) : convex_patches(piece, draws);
 }
 
@@ -154,7 +155,11 @@ StoneDraws stone_draws(const Pavement& pavement, std::uint64_t seed, int stone_i
   draws.sink_mm = pavement.variation.sink_mm * draw(Stream::stone_sink, 0);
   draws.colour = draw(Stream::stone_colour, 0);
   draws.relief_place = {draw(Stream::stone_relief, 0), draw(Stream::stone_relief, 1)};
-  if (pavement.body.finish != Finish::none) draws.body = body_draws(pavement, seed, id);
+  if (is_of_cells(pavement)) {
+    draws.cell = cell_draws(pavement, seed, id);
+  } else if (pavement.body.finish != Finish::none) {
+    draws.body = body_draws(pavement, seed, id);
+  }
   return draws;
 }
 
@@ -187,15 +192,18 @@ std::vector<BezierPatch> surface_patches(const Polygon& outline, const StoneDraw
 double bed_level_mm(const StoneSurface& surface) { return 0.05 * surface.height_mm; }
 
 double bed_level_mm(const Pavement& pavement) {
+  if (is_of_cells(pavement)) return cell_bed_mm(pavement);
   return pavement.body.finish == Finish::none ? bed_level_mm(pavement.surface) : hidden_depth_mm(pavement);
 }
 
 double top_mm(const Pavement& pavement) {
+  if (is_of_cells(pavement)) return cell_top_mm(pavement);
   if (pavement.body.finish != Finish::none) return highest_face_mm(pavement);
   return top_of_single_patch * pavement.surface.height_mm * (1.0 + pavement.surface.height_spread);
 }
 
 double face_mm(const Pavement& pavement) {
+  if (is_of_cells(pavement)) return cell_bed_mm(pavement) + pavement.surface.height_mm;
   return pavement.body.finish == Finish::none ? top_of_single_patch * pavement.surface.height_mm
                                               : bed_level_mm(pavement) + pavement.surface.height_mm;
 }

@@ -8,7 +8,7 @@
 // planes, and none has a collapsed edge (POV-Ray shows artefacts on those). A stone with a reflex corner is made as convex
 // pieces side by side, as a paver would break it there.
 //
-// A stone with a finish is made otherwise: paving/surface/stone_body.h.
+// A stone with a finish is made otherwise: paving/surface/stone_body.h; and so is a cell of an organic texture, cell_body.h.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +19,7 @@
 #include "geometry/bezier_patch.h"
 #include "paving/pavement.h"
 #include "paving/stones.h"
+#include "paving/surface/cell_body.h"
 #include "paving/surface/stone_body.h"
 #include "paving/surface/stone_pieces.h"
 
@@ -34,6 +35,7 @@ struct StoneDraws {
   vec2 relief_place{0.0, 0.0};    // of its centre in the periodic relief, each in [0, 1)
   double relief = 1.0;            // factor on the heights of the relief: less where feet have polished it
   std::optional<BodyDraws> body;  // of a stone with a finish: then height, inset and slope above have no effect
+  std::optional<CellDraws> cell;  // of a cobble or a scale: the same
 };
 
 StoneDraws stone_draws(const Pavement& pavement, std::uint64_t seed, int stone_id);
@@ -45,7 +47,7 @@ StoneDraws worn(StoneDraws draws, const Pavement& pavement, double traffic);
 // The patches over `outline` (simple, counter-clockwise), z up, below the bed along the outline. `is_sawn` says which sides
 // were sawn, for stones with a finish. The normals of the patches, derivative_u × derivative_v, point up. Vertices that are no
 // corners to `corner_tolerance` of the stone's size are left out; seen from above no point lies outside the outline by more
-// than that.
+// than that, but for the tips of scales (`reach_of_cell_mm`).
 std::vector<geometry::BezierPatch> surface_patches(const geometry::Polygon& outline, const StoneDraws& draws,
                                                    const IsSawn& is_sawn = {});
 

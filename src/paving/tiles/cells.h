@@ -23,6 +23,9 @@ struct Cells {
   std::vector<std::uint32_t> neighbour;  // of a side, the cell beyond it; empty where cells do not share corners
   std::vector<vec2> axis;                // of a cell: unit vector along its stone
 
+  // Of a cell, the size of its stone as a part of the one that is asked for. Empty where all are 1.
+  std::vector<double> size;
+
   // Of a side, whether its first corner lies on the straight line between the one before and the next, where two neighbours
   // meet, and is left out of the outline. Empty where there are none.
   std::vector<bool> left_out;
@@ -33,6 +36,7 @@ struct Cells {
   std::vector<bool> part;
 
   std::size_t count() const { return first.size() - 1; }
+  double size_of(std::size_t cell) const { return size.empty() ? 1.0 : size[cell]; }
   geometry::Polygon outline(std::size_t cell) const;
   std::span<const std::uint32_t> neighbours(std::size_t cell) const {
     return {neighbour.data() + first[cell], first[cell + 1] - first[cell]};

@@ -49,14 +49,16 @@ constexpr double most_trimmed = 0.06;
 constexpr double least_face = 0.004;
 
 std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const Region& region, const RegionIndex& index,
-                                  const StoneSize& size) {
+                                  const StoneSize& unscaled) {
   Polygon whole = geometry::cleaned(cells.outline(cell));
   if (whole.empty()) return {};
   const bool part = !cells.part.empty() && cells.part[cell];
   const vec2 axis = cells.axis[cell];
+  const double factor = cells.size_of(cell);
+  const StoneSize size = unscaled.times(factor);
   if (!index.border_meets(geometry::bounding_box(whole))) {
     if (!index.contains(whole.front())) return {};
-    return {{std::move(whole), cell, part, axis}};
+    return {{std::move(whole), cell, part, axis, factor}};
   }
   std::vector<Piece> pieces;
   const double full = geometry::area(whole);
@@ -66,7 +68,7 @@ std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const 
     for (Polygon& outline : without_holes(inside)) {
       const double left = geometry::area(outline);
       const bool cut = full - left > size.rounding_mm2 && (outline.size() != whole.size() || left < whole_share * full);
-      pieces.push_back({std::move(outline), cell, part || cut, axis});
+      pieces.push_back({std::move(outline), cell, part || cut, axis, factor});
     }
   }
   return pieces;
@@ -133,7 +135,8 @@ geometry::Box reach_of_faces(const Piece& piece, double joint_mm) {
 }
 
 // The piece in parts that fit the stock, but for what is trimmed.
-void append_fitting(Piece piece, const StoneSize& size, std::vector<Piece>& fitting) {
+void append_fitting(Piece piece, const StoneSize& unscaled, std::vector<Piece>& fitting) {
+  const StoneSize size = unscaled.times(piece.size);
   const vec2 joint{size.joint_mm, size.joint_mm};
   const double allowed = most_trimmed * size.longer_mm;
   const vec2 stock = size.stock.size_for(piece.axis);
@@ -157,7 +160,7 @@ void append_fitting(Piece piece, const StoneSize& size, std::vector<Piece>& fitt
   std::vector<double> places;
   for (double i = 1.0; i < count; i += 1.0) places.push_back(low + i * step);
   for (Polygon& part : cut_across(piece.outline_mm, piece.axis, by_length, places)) {
-    append_fitting({std::move(part), piece.cell, true, piece.axis}, size, fitting);
+    append_fitting({std::move(part), piece.cell, true, piece.axis, piece.size}, unscaled, fitting);
   }
 }
 
@@ -172,7 +175,7 @@ std::vector<Piece> fitting_pieces(std::vector<Piece> pieces, const StoneSize& si
 std::vector<Piece> without_bare_ends(std::vector<Piece> pieces, const StoneSize& size) {
   std::vector<std::vector<Region>> ends(pieces.size());
   parallel_for(pieces.size(), [&](std::size_t p) {
-    if (pieces[p].cut) ends[p] = bare_ends(pieces[p].outline_mm, size);
+    if (pieces[p].cut) ends[p] = bare_ends(pieces[p].outline_mm, size.times(pieces[p].size));
   });
   const std::size_t count = pieces.size();
   for (std::size_t p = 0; p < count; ++p) {
@@ -182,8 +185,8 @@ std::vector<Piece> without_bare_ends(std::vector<Piece> pieces, const StoneSize&
     if (left.empty() || std::ranges::any_of(left, [](const Region& part) { return !part.holes.empty(); })) continue;
     const Piece piece = pieces[p];
     pieces[p].outline_mm = left.front().outline;
-    for (std::size_t i = 1; i < left.size(); ++i) pieces.push_back({left[i].outline, piece.cell, true, piece.axis});
-    for (const Region& end : ends[p]) pieces.push_back({end.outline, piece.cell, true, piece.axis});
+    for (std::size_t i = 1; i < left.size(); ++i) pieces.push_back({left[i].outline, piece.cell, true, piece.axis, piece.size});
+    for (const Region& end : ends[p]) pieces.push_back({end.outline, piece.cell, true, piece.axis, piece.size});
   }
   return pieces;
 }
@@ -224,7 +227,8 @@ std::vector<Region> bare_ends(const Polygon& piece, const StoneSize& size) {
   return ends;
 }
 
-std::vector<Polygon> laid_faces(const Piece& piece, const StoneSize& size) {
+std::vector<Polygon> laid_faces(const Piece& piece, const StoneSize& size_asked) {
+  const StoneSize size = size_asked.times(piece.size);
   std::vector<Polygon> laid;
   for (const Polygon& face : faces_of(piece.outline_mm, size.joint_mm)) {
     for (Polygon& part : trimmed(face, piece.axis, size.stock)) laid.push_back(std::move(part));
@@ -244,7 +248,8 @@ std::vector<Piece> pieces_within(const Cells& cells, const Region& region, const
   for (auto& some : of_cell) std::ranges::move(some, std::back_inserter(pieces));
   of_cell.clear();
   pieces = without_small(fitting_pieces(std::move(pieces), size), size);
-  if (size.joint_mm > 0.5 * widest_bare * size.longer_mm) {
+  const double smallest = cells.size.empty() ? 1.0 : std::ranges::min(cells.size);
+  if (size.joint_mm > 0.5 * widest_bare * smallest * size.longer_mm) {
     // What one takes may leave an end of its own; a few rounds leave nothing but what has no neighbour.
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round) pieces = without_small(without_bare_ends(std::move(pieces), size), size);

@@ -21,9 +21,10 @@ struct Piece {
   std::uint32_t cell = 0;        // the cell it is of, or the largest of those
   bool cut = false;              // the outline or a hole took part of it, or it was joined
   vec2 axis{1.0, 0.0};           // unit vector along its stone
+  double size = 1.0;             // of its stone, as a part of the one that is asked for
 };
 
-// What pieces are measured by.
+// What pieces are measured by: of a stone of size 1. Each piece is held against its own stone.
 struct StoneSize {
   double whole_face_mm2 = 0.0;
   double longer_mm = 0.0;  // the longer side of the stone that is asked for
@@ -32,6 +33,11 @@ struct StoneSize {
   // A piece that lost no more of its cell than this is whole: cells that were set out along the border end there but for
   // rounding.
   double rounding_mm2 = -1.0;
+
+  // Of stones that are larger or smaller by this factor each way, with the same joint.
+  StoneSize times(double factor) const {
+    return {factor * factor * whole_face_mm2, factor * longer_mm, joint_mm, stock.times(factor), rounding_mm2};
+  }
 };
 
 // The pieces of the cells within `region`, of which `index` is made. Each can be cut from the stock once the joint is taken
@@ -47,7 +53,7 @@ std::vector<geometry::Polygon> faces_of(const geometry::Polygon& piece, double j
 inline constexpr double widest_bare = 0.1;
 
 // What a piece has that no stone can cover, since it is narrower than a joint there: parts of it that would be a bare spot,
-// wider than half of `widest_bare`. None where joints are narrower than that.
+// wider than half of `widest_bare`. None where joints are narrower than that. `size` is that of its own stone.
 std::vector<geometry::Region> bare_ends(const geometry::Polygon& piece, const StoneSize& size);
 
 // The faces of a piece that are laid: trimmed to the stock, and without scraps.

@@ -381,15 +381,20 @@ std::vector<Tile> hand_set(std::vector<Tile> tiles, double amount, std::uint64_t
 
 Cells hand_set(const Cells& cells, double amount, std::uint64_t seed, Id pavement) {
   std::vector<Tile> tiles;
+  std::vector<double> sizes;
   for (std::size_t cell = 0; cell < cells.count(); ++cell) {
     Tile tile{{}, cells.axis[cell], !cells.part.empty() && cells.part[cell]};
     for (std::size_t side = cells.first[cell]; side < cells.first[cell + 1]; ++side) {
       tile.outline_mm.push_back(cells.corners[cells.corner[side]]);
     }
     tile.outline_mm = geometry::cleaned(tile.outline_mm);
-    if (tile.outline_mm.size() >= 3) tiles.push_back(std::move(tile));
+    if (tile.outline_mm.size() < 3) continue;
+    tiles.push_back(std::move(tile));
+    sizes.push_back(cells.size_of(cell));
   }
-  return cells_of(hand_set(std::move(tiles), amount, seed, pavement));
+  Cells set = cells_of(hand_set(std::move(tiles), amount, seed, pavement));
+  if (!cells.size.empty()) set.size = std::move(sizes);
+  return set;
 }
 
 Stock hand_stock(Stock stock, double joint_mm, double amount) {

@@ -185,15 +185,16 @@ class Joiner {
       : pieces_(std::move(pieces)), size_(size), index_(pieces_), waits_(pieces_.size(), false) {}
 
   std::vector<Piece> join_small() && {
-    std::vector<double> face(pieces_.size(), size_.whole_face_mm2);
+    std::vector<double> face(pieces_.size());
     parallel_for(pieces_.size(), [&](std::size_t p) {
       // Of the others only the odd ones at irregular spots can be small; to look at all would take as long as laying them.
-      if (pieces_[p].cut || geometry::area(pieces_[p].outline_mm) < 2.0 * least_piece * size_.whole_face_mm2)
+      face[p] = whole_face_mm2(p);
+      if (pieces_[p].cut || geometry::area(pieces_[p].outline_mm) < 2.0 * least_piece * whole_face_mm2(p))
         face[p] = face_area(pieces_[p].outline_mm);
     });
     std::vector<std::size_t> small;
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
-      if (is_small(face[p])) small.push_back(p);
+      if (is_small(p, face[p])) small.push_back(p);
     }
     std::ranges::stable_sort(small, {}, [&](std::size_t p) { return face[p]; });
     for (const std::size_t p : small) waits_[p] = true;
@@ -204,12 +205,12 @@ class Joiner {
       for (const std::size_t p : small) {
         waits_[p] = false;
         // It may have grown by another that joined it.
-        if (!pieces_[p].outline_mm.empty() && is_small(face_area(pieces_[p].outline_mm))) join(p);
+        if (!pieces_[p].outline_mm.empty() && is_small(p, face_area(pieces_[p].outline_mm))) join(p);
       }
       std::ranges::sort(changed_);
       changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
       std::erase_if(changed_, [&](std::size_t p) {
-        return pieces_[p].outline_mm.empty() || !is_small(face_area(pieces_[p].outline_mm));
+        return pieces_[p].outline_mm.empty() || !is_small(p, face_area(pieces_[p].outline_mm));
       });
       small = changed_;
     }
@@ -218,7 +219,9 @@ class Joiner {
   }
 
  private:
-  bool is_small(double face_area) const { return face_area < least_piece * size_.whole_face_mm2; }
+  StoneSize size_of(std::size_t piece) const { return size_.times(pieces_[piece].size); }
+  double whole_face_mm2(std::size_t piece) const { return size_of(piece).whole_face_mm2; }
+  bool is_small(std::size_t piece, double face_area) const { return face_area < least_piece * whole_face_mm2(piece); }
 
   double face_area(const Polygon& outline) const {
     double largest = 0.0;
@@ -226,9 +229,8 @@ class Joiner {
     return largest;
   }
 
-  bool fits_stock(const Polygon& outline, vec2 axis) const {
-    return std::ranges::all_of(faces_of(outline, size_.joint_mm),
-                               [&](const Polygon& face) { return fits(face, axis, size_.stock); });
+  bool fits_stock(const Polygon& outline, vec2 axis, const Stock& stock) const {
+    return std::ranges::all_of(faces_of(outline, size_.joint_mm), [&](const Polygon& face) { return fits(face, axis, stock); });
   }
 
   std::vector<std::size_t> neighbours(std::size_t piece) const {
@@ -248,7 +250,7 @@ class Joiner {
   // What `outline` lacks to its convex hull, but for what small pieces beside the host will give.
   double hollow_beside(const Polygon& outline, std::size_t host, std::size_t small) const {
     double hollow = hollow_mm2(outline);
-    if (hollow < least_hollow * size_.whole_face_mm2) return hollow;
+    if (hollow < least_hollow * whole_face_mm2(host)) return hollow;
     const Polygon hull = geometry::convex_hull(outline);
     for (const std::size_t p : neighbours(host)) {
       if (p == small || !waits_[p]) continue;
@@ -266,10 +268,16 @@ class Joiner {
     double stoutness_mm = 0.0;  // of the weakest
   };
 
+  // What parts must be: cut from this stock, and no smaller than that.
+  struct Parts {
+    Stock stock;
+    double least_mm2 = 0.0;
+  };
+
   // In halves, or halves of halves where one does not fit, first cut across the axis (`by_length`) or along it. Nothing where a
-  // part would fall apart or be smaller than `least_mm2`.
-  std::optional<Anew> in_halves(const Polygon& grown, vec2 axis, bool by_length, double least_mm2, bool again) const {
-    const vec2 size = size_.stock.size_for(axis);
+  // part would fall apart or be too small.
+  std::optional<Anew> in_halves(const Polygon& grown, vec2 axis, bool by_length, const Parts& asked, bool again) const {
+    const vec2 size = asked.stock.size_for(axis);
     const double stock = by_length ? size.x : size.y;
     // Of halves that are halved again only their sum is asked for.
     const auto pair = halves(grown, axis, by_length, again ? 2.0 * (stock + size_.joint_mm) : stock + size_.joint_mm);
@@ -277,15 +285,15 @@ class Joiner {
     Anew result{{}, axis, std::numeric_limits<double>::infinity()};
     for (const Polygon* half : {&pair->first, &pair->second}) {
       const auto faces = faces_of(*half, size_.joint_mm);
-      if (faces.size() != 1 || geometry::area(faces.front()) < least_mm2) return std::nullopt;
-      if (fits(faces.front(), axis, size_.stock)) {
+      if (faces.size() != 1 || geometry::area(faces.front()) < asked.least_mm2) return std::nullopt;
+      if (fits(faces.front(), axis, asked.stock)) {
         result.stoutness_mm = std::min(result.stoutness_mm, stoutness_mm(faces.front()));
         result.parts.push_back(*half);
         continue;
       }
       if (!again) return std::nullopt;
-      auto quarters = in_halves(*half, axis, !by_length, least_mm2, false);
-      if (!quarters) quarters = in_halves(*half, axis, by_length, least_mm2, false);
+      auto quarters = in_halves(*half, axis, !by_length, asked, false);
+      if (!quarters) quarters = in_halves(*half, axis, by_length, asked, false);
       if (!quarters) return std::nullopt;
       result.stoutness_mm = std::min(result.stoutness_mm, quarters->stoutness_mm);
       std::ranges::move(quarters->parts, std::back_inserter(result.parts));
@@ -294,12 +302,12 @@ class Joiner {
   }
 
   // The way to cut it in the fewest parts, of which the weakest is stoutest; along the longest side of an odd piece if need be.
-  std::optional<Anew> cut_anew(const Polygon& grown, vec2 axis, double least_mm2) const {
+  std::optional<Anew> cut_anew(const Polygon& grown, vec2 axis, const Parts& asked) const {
     for (const bool again : {false, true}) {
       for (const vec2 along : {axis, longest_side(grown)}) {
         std::optional<Anew> best;
         for (const bool by_length : {true, false}) {
-          auto found = in_halves(grown, along, by_length, least_mm2, again);
+          auto found = in_halves(grown, along, by_length, asked, again);
           if (found && (!best || found->stoutness_mm > best->stoutness_mm)) best = std::move(found);
         }
         if (best) return best;
@@ -314,16 +322,16 @@ class Joiner {
     result.hollow_mm2 -= hollow_mm2(pieces_[host].outline_mm);
     for (Polygon& cut : anew.parts) {
       result.hollow_mm2 += hollow_mm2(cut);
-      result.falls_apart += bare_ends(cut, size_).empty() ? 0 : 1;
+      result.falls_apart += bare_ends(cut, size_of(host)).empty() ? 0 : 1;
       auto& list = &cut == anew.parts.data() ? result.grown : result.more;
       list.push_back({host, std::move(cut), anew.axis});
     }
   }
 
   // A straight neck is as wide as its joint is long; one that leans on it is narrower.
-  bool falls_apart(const Polygon& together, double shared_mm) const {
+  bool falls_apart(const Polygon& together, double shared_mm, const StoneSize& size) const {
     return (shared_mm < 4.0 * size_.joint_mm && faces_of(together, size_.joint_mm).size() > 1) ||
-           !bare_ends(together, size_).empty();
+           !bare_ends(together, size).empty();
   }
 
   // Each part joined to its host. Nothing if one cannot be, or if the stone would not fit the stock, not in halves either.
@@ -331,21 +339,22 @@ class Joiner {
     Joining result;
     // Halves may be small where the piece was smaller by far.
     const double least_mm2 =
-        std::min(least_piece * size_.whole_face_mm2,
-                 less_small * std::max(face_area(pieces_[small].outline_mm), least_kept * size_.whole_face_mm2));
+        std::min(least_piece * whole_face_mm2(small),
+                 less_small * std::max(face_area(pieces_[small].outline_mm), least_kept * whole_face_mm2(small)));
     for (const Grown& part : parts) {
       const Piece& host = pieces_[part.host];
       auto together = joined(part.outline_mm, host.outline_mm);
       if (!together) return std::nullopt;
       const double shared_mm = shared_length(part.outline_mm, host.outline_mm);
       result.shared_mm += shared_mm;
-      if (!fits_stock(*together, host.axis)) {
-        auto anew = cut_anew(*together, host.axis, least_mm2);
+      const StoneSize size = size_of(part.host);
+      if (!fits_stock(*together, host.axis, size.stock)) {
+        auto anew = cut_anew(*together, host.axis, {size.stock, least_mm2});
         if (!anew) return std::nullopt;
         add_anew(*std::move(anew), part.host, result);
         continue;
       }
-      result.falls_apart += falls_apart(*together, shared_mm) ? 1 : 0;
+      result.falls_apart += falls_apart(*together, shared_mm, size) ? 1 : 0;
       result.hollow_mm2 += hollow_beside(*together, part.host, small) - hollow_beside(host.outline_mm, part.host, small);
       result.grown.push_back({part.host, std::move(*together), host.axis});
     }
@@ -357,7 +366,7 @@ class Joiner {
     const std::vector<Touch> found = touches(small);
     std::optional<Joining> best;
     const auto rank = [&](const Joining& j) {
-      return std::tuple(j.falls_apart, std::floor(j.hollow_mm2 / (least_hollow * size_.whole_face_mm2)), j.cut_anew > 0,
+      return std::tuple(j.falls_apart, std::floor(j.hollow_mm2 / (least_hollow * whole_face_mm2(small))), j.cut_anew > 0,
                         -j.stoutness_mm, -j.shared_mm);
     };
     const auto consider = [&](const std::vector<Grown>& parts) {
@@ -395,7 +404,8 @@ class Joiner {
     for (Grown& part : best->more) {
       index_.add(pieces_.size(), part.outline_mm);
       changed_.push_back(pieces_.size());
-      pieces_.push_back({std::move(part.outline_mm), pieces_[part.host].cell, true, part.axis});
+      const Piece& host = pieces_[part.host];
+      pieces_.push_back({std::move(part.outline_mm), host.cell, true, part.axis, host.size});
       waits_.push_back(false);
     }
     replace(small, {});

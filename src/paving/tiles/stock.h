@@ -17,6 +17,9 @@ struct Stock {
   vec2 turned_size_mm{0.0, 0.0};
   vec2 along{1.0, 0.0};
 
+  // Of stones that are larger or smaller by this factor each way.
+  Stock times(double factor) const { return {factor * size_mm, factor * factor * area_mm2, factor * turned_size_mm, along}; }
+
   vec2 size_for(vec2 axis) const {
     const bool turned = turned_size_mm != vec2{0.0, 0.0} && std::abs(glm::dot(axis, along)) < std::abs(cross(axis, along));
     return turned ? turned_size_mm : size_mm;

@@ -33,8 +33,8 @@ auto with_pane_sections(Act act) {
 }
 template <typename Act>
 auto with_pavement_sections(Act act) {
-  return act(pavement_keys, direction_keys, surface_keys, variation_keys, hand_keys, relief_keys, textures_keys, ground_keys,
-             steps_keys, detail_keys);
+  return act(pavement_keys, direction_keys, size_keys, surface_keys, cell_keys, variation_keys, hand_keys, relief_keys,
+             textures_keys, ground_keys, steps_keys, detail_keys);
 }
 template <typename Act>
 auto with_scene_sections(Act act) {

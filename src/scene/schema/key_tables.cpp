@@ -170,9 +170,10 @@ std::span<const KeyTable> key_tables() {
       frames_keys.key_table(),   frame_key_keys.key_table(),   plan_keys.key_table(),     pane_keys.key_table(),
       impact_keys.key_table(),   crack_sheet_keys.key_table(), shards_keys.key_table(),   growth_keys.key_table(),
       rings_keys.key_table(),    crater_keys.key_table(),      laminate_keys.key_table(), tempering_keys.key_table(),
-      pavement_keys.key_table(), direction_keys.key_table(),   surface_keys.key_table(),  variation_keys.key_table(),
-      hand_keys.key_table(),     colour_keys.key_table(),      relief_keys.key_table(),   textures_keys.key_table(),
-      ground_keys.key_table(),   steps_keys.key_table(),       detail_keys.key_table()};
+      pavement_keys.key_table(), direction_keys.key_table(),   size_keys.key_table(),     surface_keys.key_table(),
+      cell_keys.key_table(),     variation_keys.key_table(),   hand_keys.key_table(),     colour_keys.key_table(),
+      relief_keys.key_table(),   textures_keys.key_table(),    ground_keys.key_table(),   steps_keys.key_table(),
+      detail_keys.key_table()};
   return tables;
 }
 

@@ -28,6 +28,7 @@ using PavementRow = Row<Pavement, PavementFacts>;
 using DirectionRow = Row<DirectionAsked, PavementFacts>;
 using TexturesRow = Row<TextureSet, PavementFacts>;
 using ColourRow = Row<ColourAsked, PavementFacts>;
+using SizeRow = Row<SizeAsked, PavementFacts>;
 using StepsRow = Row<paving::Flight, PavementFacts>;
 
 constexpr auto direction_words = std::to_array<Word<DirectionAsked::Kind>>({{"constant", DirectionAsked::Kind::constant},
@@ -35,6 +36,20 @@ constexpr auto direction_words = std::to_array<Word<DirectionAsked::Kind>>({{"co
                                                                             {"radial", DirectionAsked::Kind::radial},
                                                                             {"guides", DirectionAsked::Kind::guides},
                                                                             {"grid", DirectionAsked::Kind::grid}});
+
+constexpr auto size_words = std::to_array<Word<SizeAsked::Kind>>(
+    {{"edge", SizeAsked::Kind::edge}, {"line", SizeAsked::Kind::line}, {"map", SizeAsked::Kind::map}});
+
+// Whether sizes follow a field of another kind.
+template <typename Kind>
+bool sized_otherwise(const PavementFacts& f) {
+  return !std::holds_alternative<Kind>(f.pavement.sizes);
+}
+bool sized_by_map(const PavementFacts& f) { return std::holds_alternative<paving::SizesOfMap>(f.pavement.sizes); }
+
+constexpr std::string_view without_map = "without kind = \"map\"";
+constexpr std::string_view beside_map = "beside kind = \"map\"";
+constexpr std::string_view without_lines = "without kind = \"line\"";
 
 constexpr Range turn_range{-360.0, 360.0};
 
@@ -212,6 +227,7 @@ PavementRow::List look_rows() {
 PavementRow::List table_rows() {
   return {
       PavementRow::table("surface", "upper face of the stones"),
+      PavementRow::table("cell", "cobbles or scales in place of stones: organic textures").by_default("stones"),
       PavementRow::table("variation", "how stones differ from the places that the bond gives them")
           .by_default("none")
           .idle(in_a_flight, beside_steps),
@@ -241,6 +257,8 @@ PavementRow::List stone_rows() {
       PavementRow::number("joint_mm", &Pavement::joint_mm, range_of(paving::joint_bounds_mm),
                           "gap between stones; half of it stays free along the outline and holes"),
       PavementRow::table("direction", "how rows run").by_default("constant, 0°"),
+      PavementRow::table("size", "sizes of packed stones that follow a field; only beside `bond = \"packed\"`")
+          .by_default("all alike"),
   };
 }
 
@@ -298,6 +316,44 @@ const Section<DirectionAsked, PavementFacts> direction_keys{
         DirectionRow::by_code("guides_class", ValueType::text, "or those of this class")
             .written(as_outline_class)
             .idle(without_guides, without_guides_kind),
+    }};
+
+const Section<SizeAsked, PavementFacts> size_keys{
+    "pavement[].size",
+    {
+        SizeRow::choice("kind", &SizeAsked::kind, size_words,
+                        "sizes follow the distance from the outline and the holes; from polylines; or a grey picture"),
+        SizeRow::number(
+            "near", [](SizeAsked& s) -> double& { return s.ramp.near; }, range_of(paving::size_bounds),
+            "size at the edge or the line, as a part of `stone_mm` each way")
+            .idle(sized_by_map, beside_map),
+        SizeRow::number(
+            "far", [](SizeAsked& s) -> double& { return s.ramp.far; }, range_of(paving::size_bounds),
+            "size from `distance_mm` on, evenly between; but no stone is more than a tenth of `stone_mm` larger than the one "
+            "before it, so that it may take longer")
+            .idle(sized_by_map, beside_map),
+        SizeRow::number(
+            "distance_mm", [](SizeAsked& s) -> double& { return s.ramp.distance_mm; }, size_range, "where sizes are `far`")
+            .idle(sized_by_map, beside_map),
+        SizeRow::by_code("lines_mm", ValueType::point_lists, "line: the polylines")
+            .within(coordinate_range)
+            .written("`[[[x, y], …], …]`, each of 2 or more distinct points")
+            .by_default("must be given for lines")
+            .idle(sized_otherwise<paving::SizesFromLines>, without_lines),
+        SizeRow::by_code("map_file", ValueType::text,
+                         "map: a picture of one grey channel beside the scene, `.pgm`; see [sizes](#sizes-that-follow-a-field)")
+            .written("file name")
+            .by_default("must be given for a map")
+            .idle(sized_otherwise<paving::SizesOfMap>, without_map),
+        SizeRow::by_code("map_area_mm", ValueType::points, "map: the rectangle of the plan that the picture covers")
+            .within(coordinate_range)
+            .written("`[[x, y], [x, y]]`, lower left and upper right corner")
+            .by_default("the pavement's bounding box")
+            .idle(sized_otherwise<paving::SizesOfMap>, without_map),
+        SizeRow::number("dark", &SizeAsked::dark, range_of(paving::size_bounds), "map: size where it is black")
+            .idle(sized_otherwise<paving::SizesOfMap>, without_map),
+        SizeRow::number("light", &SizeAsked::light, range_of(paving::size_bounds), "map: size where it is white")
+            .idle(sized_otherwise<paving::SizesOfMap>, without_map),
     }};
 
 const Section<TextureSet, PavementFacts> textures_keys{

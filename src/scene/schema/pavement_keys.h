@@ -16,6 +16,15 @@ struct DirectionAsked {
   vec2 centre_mm{0.0, 0.0};
 };
 
+// [pavement.size] as it stands in the file, but for its lines and its map.
+struct SizeAsked {
+  enum class Kind { edge, line, map };
+  Kind kind = Kind::edge;
+  paving::SizeRamp ramp;
+  double dark = 1.0;
+  double light = 1.0;
+};
+
 // One of the [[pavement.colour]].
 struct ColourAsked {
   vec3 srgb{0.5, 0.5, 0.5};
@@ -24,7 +33,9 @@ struct ColourAsked {
 
 extern const Section<paving::Pavement, PavementFacts> pavement_keys;
 extern const Section<DirectionAsked, PavementFacts> direction_keys;
+extern const Section<SizeAsked, PavementFacts> size_keys;
 extern const Section<paving::Pavement, PavementFacts> surface_keys;
+extern const Section<paving::CellShape, PavementFacts> cell_keys;
 extern const Section<paving::Variation, PavementFacts> variation_keys;
 extern const Section<paving::Pavement, PavementFacts> hand_keys;
 extern const Section<ColourAsked, PavementFacts> colour_keys;

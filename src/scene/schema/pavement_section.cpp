@@ -10,6 +10,7 @@
 #include "paving/bonds/table.h"
 #include "paving/limits.h"
 #include "scene/direction_file.h"
+#include "scene/grey_map_file.h"
 #include "scene/input_file.h"
 #include "scene/schema/idle_keys.h"
 #include "scene/schema/pavement_keys.h"
@@ -33,12 +34,17 @@ paving::GuidesDirection guides_of(const TomlTable& table) {
   return direction;
 }
 
-paving::GridDirection grid_of(const TomlTable& table, Plans& plans) {
-  const auto name = table.text("grid_file");
-  if (!name) refuse(table.place("grid_file"), "grid_file = \"…\", a file of vectors", "none");
-  const Place place = table.place("grid_file");
+// The file that a key names, sought from the scene's folder.
+std::filesystem::path file_beside(const TomlTable& table, std::string_view key, std::string_view what) {
+  const auto name = table.text(key);
+  const Place place = table.place(key);
+  if (!name) refuse(place, fmt::format("{} = \"…\", {}", key, what), "none");
   const auto folder = is_nameless(place.file) ? std::filesystem::path() : std::filesystem::path(place.file).parent_path();
-  DirectionFile file = direction_of_file(folder / *name, place);
+  return folder / *name;
+}
+
+paving::GridDirection grid_of(const TomlTable& table, Plans& plans) {
+  DirectionFile file = direction_of_file(file_beside(table, "grid_file", "a file of vectors"), table.place("grid_file"));
   plans.note_sum(file.sum);
   return std::move(file.grid);
 }
@@ -68,18 +74,53 @@ paving::Direction direction_of(const TomlTable& pavement, Plans& plans) {
   return paving::ConstantDirection{asked.angle};
 }
 
-geometry::Box texture_area(const TomlTable& table) {
-  const PlacedPoints corners = *table.points("area_mm", coordinate_range);
+// Of a rectangle's lower left and upper right corner.
+geometry::Box box_of(const TomlTable& table, std::string_view key) {
+  const PlacedPoints corners = *table.points(key, coordinate_range);
   const bool is_box =
       corners.points.size() == 2 && corners.points[0].x < corners.points[1].x && corners.points[0].y < corners.points[1].y;
   if (!is_box) refuse(corners.place, "the lower left and the upper right corner", "other points");
   return {corners.points[0], corners.points[1]};
 }
 
+paving::SizesFromLines lines_of(const TomlTable& table, const paving::SizeRamp& ramp) {
+  paving::SizesFromLines sizes{ramp, {}};
+  const std::vector<PlacedPoints> lists = table.point_lists("lines_mm", coordinate_range);
+  if (lists.empty()) refuse(table.place("lines_mm"), "one or more polylines", "none");
+  limit_guides(lists.size(), table.place("lines_mm"));
+  for (const PlacedPoints& list : lists) sizes.lines_mm.push_back(line_of({list.points, list.place}));
+  return sizes;
+}
+
+// `area` is what the pavements of the table cover together.
+paving::SizesOfMap map_of(const TomlTable& table, const SizeAsked& asked, const geometry::Box& area, Plans& plans) {
+  GreyMapFile file = grey_map_of_file(file_beside(table, "map_file", "a picture of one grey channel"), table.place("map_file"));
+  plans.note_sum(file.sum);
+  const geometry::Box box = table.has("map_area_mm") ? box_of(table, "map_area_mm") : area;
+  return {asked.dark, asked.light, box.low, box.high, file.columns, std::move(file.greys)};
+}
+
+// Keys of kinds other than the chosen one are checked, too.
+paving::Sizes sizes_of(const TomlTable& pavement, const geometry::Box& area, Plans& plans) {
+  using Kind = SizeAsked::Kind;
+  SizeAsked asked;
+  const auto table = size_keys.read_in(pavement, asked);
+  if (!table) return paving::EqualSizes{};
+  if (asked.kind == Kind::line || table->has("lines_mm")) {
+    paving::SizesFromLines lines = lines_of(*table, asked.ramp);
+    if (asked.kind == Kind::line) return lines;
+  }
+  if (asked.kind == Kind::map || table->has("map_file")) {
+    paving::SizesOfMap map = map_of(*table, asked, area, plans);
+    if (asked.kind == Kind::map) return map;
+  }
+  return paving::SizesFromEdge{asked.ramp};
+}
+
 void read_textures(const TomlTable& pavement, paving::TextureSet& textures) {
   const auto table = textures_keys.read_in(pavement, textures);
   if (!table) return;
-  if (table->has("area_mm")) textures.area = texture_area(*table);
+  if (table->has("area_mm")) textures.area = box_of(*table, "area_mm");
   if (textures.area && textures.seamless) refuse(table->place("area_mm"), "no area_mm beside seamless", "one");
   if (textures.tile_mm && !textures.seamless) refuse(table->place("tile_mm"), "seamless = true beside it", "none");
 }
@@ -140,13 +181,32 @@ void require_rows(const TomlTable& table, const paving::Pavement& pavement) {
   if (pavement.textures.seamless) refuse(table.place("textures"), "no seamless textures beside steps", "seamless = true");
 }
 
-// Only stones that are packed one by one follow a field of vectors.
+// Only stones that are packed one by one follow a field of vectors, and sizes that differ from place to place, and stand on
+// their corners as scales do.
 void require_packed(const TomlTable& table, const paving::Pavement& pavement) {
-  if (!std::holds_alternative<paving::GridDirection>(pavement.direction)) return;
-  if (paving::type_of(pavement).bending != paving::Bending::packed) {
-    refuse(table.place("bond"), "bond = \"packed\" beside direction.kind = \"grid\"", "another one");
+  const auto require = [&](bool asked, std::string_view what) {
+    if (!asked) return;
+    if (paving::type_of(pavement).bending != paving::Bending::packed) {
+      refuse(table.place("bond"), fmt::format("bond = \"packed\" beside {}", what), "another one");
+    }
+    if (table.has("steps")) refuse(table.place("steps"), fmt::format("no steps beside {}", what), "steps");
+  };
+  require(std::holds_alternative<paving::GridDirection>(pavement.direction), "direction.kind = \"grid\"");
+  require(paving::has_sizes(pavement), "size");
+  require(pavement.cell.form == paving::CellForm::scale, "cell.form = \"scale\"");
+}
+
+// Cells have bodies of their own.
+void require_plain_cells(const TomlTable& table, const paving::Pavement& pavement) {
+  if (pavement.cell.form == paving::CellForm::stone) return;
+  if (pavement.body.finish != paving::Finish::none) refuse(table.place("surface"), "no finish beside cell.form", "one");
+  if (table.has("steps")) refuse(table.place("steps"), "no steps beside cell.form", "steps");
+  if (pavement.border.course != paving::BorderCourse::none) {
+    refuse(table.place("border_course"), "no border_course beside cell.form", "one");
   }
-  if (table.has("steps")) refuse(table.place("steps"), "no steps beside direction.kind = \"grid\"", "steps");
+  if (pavement.cell.form == paving::CellForm::scale && pavement.stone_mm.x != pavement.stone_mm.y) {
+    refuse(table.place("stone_mm"), "square stones beside cell.form = \"scale\"", "oblong ones");
+  }
 }
 
 std::optional<paving::Flight> flight_of(const TomlTable& table, const paving::Pavement& pavement,
@@ -169,13 +229,25 @@ std::optional<paving::Flight> flight_of(const TomlTable& table, const paving::Pa
   return flight;
 }
 
-// All that a table says of a pavement but its area and its steps.
-paving::Pavement pavement_of(const TomlTable& table, Plans& plans) {
+// The box about all of them, of which there is one or more.
+geometry::Box box_about(const std::vector<geometry::Region>& areas) {
+  geometry::Box all = geometry::bounding_box(areas.front().outline);
+  for (const geometry::Region& area : areas) {
+    const geometry::Box box = geometry::bounding_box(area.outline);
+    all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
+  }
+  return all;
+}
+
+// All that a table says of a pavement but its area and its steps. `area` is the box about its areas.
+paving::Pavement pavement_of(const TomlTable& table, const geometry::Box& area, Plans& plans) {
   paving::Pavement pavement;
   pavement.name = name_of(table);
   pavement_keys.read(table, pavement);
   pavement.direction = direction_of(table, plans);
+  pavement.sizes = sizes_of(table, area, plans);
   surface_keys.read_in(table, pavement);
+  cell_keys.read_in(table, pavement.cell);
   variation_keys.read_in(table, pavement.variation);
   hand_keys.read_in(table, pavement);
   read_colours(table, pavement.look.colours);
@@ -193,8 +265,9 @@ void append_pavements(const TomlTable& table, Plans& plans, Names& names, Scene&
   if (scene.pavements.size() + areas.size() > paving::most_pavements) {
     refuse(table.place(), fmt::format("at most {} areas in all", paving::most_pavements), "more");
   }
-  paving::Pavement pavement = pavement_of(table, plans);
+  paving::Pavement pavement = pavement_of(table, box_about(areas), plans);
   require_packed(table, pavement);
+  require_plain_cells(table, pavement);
   pavement.flight = flight_of(table, pavement, areas);
   tell_idle_keys(table, pavement, plans.notes());
   const KeyPlaces places(table);

@@ -10,6 +10,7 @@ namespace shatterpave::scene {
 
 namespace {
 
+using paving::CellShape;
 using paving::Detail;
 using paving::Ground;
 using paving::HandLaying;
@@ -23,12 +24,17 @@ using rows::in;
 using StoneRow = Row<Pavement, PavementFacts>;
 using VariationRow = Row<Variation, PavementFacts>;
 using ReliefRow = Row<Relief, PavementFacts>;
+using CellRow = Row<CellShape, PavementFacts>;
 using DetailRow = Row<Detail, PavementFacts>;
 
 constexpr std::string_view beside_finish = "beside finish";
+constexpr std::string_view without_cells = "without form = \"cobble\" or \"scale\"";
+constexpr std::string_view beside_cells = "beside cell.form";
 constexpr std::string_view by_finish = "by finish";
 
 bool with_body(const PavementFacts& f) { return f.has_body(); }
+bool of_stones(const PavementFacts& f) { return f.pavement.cell.form == paving::CellForm::stone; }
+bool of_cells(const PavementFacts& f) { return !of_stones(f); }
 bool without_kerb(const PavementFacts& f) { return f.pavement.kerb.width_mm == 0.0; }
 bool without_joints(const PavementFacts& f) { return f.pavement.joint_mm == 0.0; }
 bool none_laid(const PavementFacts& f) { return f.pavement.variation.missing == 1.0; }
@@ -97,10 +103,12 @@ const Section<Pavement, PavementFacts> surface_keys{
         StoneRow::number("inset", in(&Pavement::surface, &StoneSurface::inset), {0.0, 0.5},
                          "distance of the inner control points from the sides, as a fraction of the stone")
             .idle(with_body, beside_finish)
+            .idle(of_cells, beside_cells)
             .idle(in_a_flight, beside_steps),
         StoneRow::number("inset_spread", in(&Pavement::surface, &StoneSurface::inset_spread), {0.0, 1.0},
                          "each stone's own inset is within ± this fraction")
             .idle(with_body, beside_finish)
+            .idle(of_cells, beside_cells)
             .idle(in_a_flight, beside_steps)
             .idle([](const PavementFacts& f) { return f.pavement.surface.inset == 0.0; }, "beside inset = 0"),
         with_finish(StoneRow::choice("arris", in(&Pavement::body, &StoneBody::arris), arris_words,
@@ -127,6 +135,22 @@ const Section<Pavement, PavementFacts> surface_keys{
                         .by_default(by_finish)
                         .idle([](const PavementFacts& f) { return f.pavement.body.arris == paving::Arris::chamfered; },
                               "on chamfered arrises")),
+    }};
+
+const Section<CellShape, PavementFacts> cell_keys{
+    "pavement[].cell",
+    {
+        CellRow::choice("form", &CellShape::form, cell_form_words,
+                        "stones; pebbles, rounded all about; or scales, whose tips lie over the next ones and point along the "
+                        "direction (`packed` alone, with square cells, which then stand on their corners). `surface.height_mm` "
+                        "is their height; not beside `surface.finish`"),
+        CellRow::number("roundness", &CellShape::roundness, {0.0, 1.0},
+                        "of the outline: 0 is the cell with its corners rounded, 1 an ellipse")
+            .idle(of_stones, without_cells),
+        CellRow::number("overlap", &CellShape::overlap, {0.0, 1.0},
+                        "scale: how far its tip reaches into the next cells, as a part of its length")
+            .idle([](const PavementFacts& f) { return f.pavement.cell.form != paving::CellForm::scale; },
+                  "without form = \"scale\""),
     }};
 
 const Section<Variation, PavementFacts> variation_keys{

@@ -57,6 +57,8 @@ inline constexpr auto border_course_words =
                                                {"stretcher", paving::BorderCourse::stretcher}});
 inline constexpr auto arris_words =
     std::to_array<Word<paving::Arris>>({{"rounded", paving::Arris::rounded}, {"chamfered", paving::Arris::chamfered}});
+inline constexpr auto cell_form_words = std::to_array<Word<paving::CellForm>>(
+    {{"stone", paving::CellForm::stone}, {"cobble", paving::CellForm::cobble}, {"scale", paving::CellForm::scale}});
 inline constexpr auto material_words = std::to_array<Word<paving::Material>>({{"setts", paving::Material::setts},
                                                                               {"granite", paving::Material::granite},
                                                                               {"basalt", paving::Material::basalt},

@@ -78,6 +78,12 @@ find include src tests -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs awk 
   /^[ \t]*#[ \t]*include[ \t]*<(bt[A-Z]|BulletCollision|BulletDynamics|LinearMath)/ && FILENAME != "src/glass/shards/rigid_scene.h" {
     wrong("Bullet is included in glass/shards/rigid_scene.h alone")
   }
+  /^[ \t]*#[ \t]*include[ \t]*<OpenEXR\// && !(FILENAME ~ /scene\/field_picture/) {
+    wrong("OpenEXR is included in scene/field_picture alone")
+  }
+  /^[ \t]*#[ \t]*include[ \t]*<png\.h>/ && !(FILENAME ~ /scene\/grey_map_file/) {
+    wrong("libpng is included in scene/grey_map_file alone")
+  }
   /^[ \t]*#[ \t]*include[ \t]*<proj/ && FILENAME != "src/scene/plans/proj_library.h" {
     wrong("PROJ is included in scene/plans/proj_library.h alone, which opens it")
   }

@@ -9,6 +9,8 @@ find_dependency(pugixml)
 find_dependency(tomlplusplus)
 # By pkg-config, since Debian's OpenImageIOConfig.cmake demands the headers of OpenCV.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
+pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
+pkg_check_modules(libpng REQUIRED IMPORTED_TARGET libpng)
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
 # Bullet in double precision: its build in single precision takes another way through processors that have more.
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)

@@ -37,5 +37,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshatterpave-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # What a program that links the library needs (cmake/link_dependencies.cmake).
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libgdal32, libproj25, libbullet-dev, libfmt-dev, libopencv-imgproc-dev, libopenimageio-dev, libpolyclipping-dev, libpugixml-dev, libsleef-dev, libssl-dev, libtbb-dev, libtinygltf-dev, libtomlplusplus-dev, pkg-config")
+    "libgdal32, libproj25, libbullet-dev, libfmt-dev, libopencv-imgproc-dev, libopenexr-dev, libopenimageio-dev, libpng-dev, libpolyclipping-dev, libpugixml-dev, libsleef-dev, libssl-dev, libtbb-dev, libtinygltf-dev, libtomlplusplus-dev, pkg-config")
 include(CPack)

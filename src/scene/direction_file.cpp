@@ -14,6 +14,7 @@
 
 #include "core/sha256.h"
 #include "geometry/lattice.h"
+#include "scene/field_picture.h"
 #include "scene/input_file.h"
 
 namespace shatterpave::scene {
@@ -28,6 +29,8 @@ constexpr std::size_t most_vectors = 4'000'000;
 constexpr double least_pitch_mm = 0.1;
 // Of a pitch: so far off the grid may a point lie, which decimals round.
 constexpr double off_grid = 0.01;
+// Of a pixel's side: so much may it differ from the other, where the corners of a picture are rounded.
+constexpr double off_square = 0.01;
 constexpr double largest = 1e30;  // its square is finite
 
 class DirectionReader {
@@ -119,6 +122,38 @@ class DirectionReader {
       }
     }
     return on_grid(rows, lines);
+  }
+
+  GridDirection of_exr(const std::string& content, const geometry::Box& area) const {
+    constexpr std::array<ChannelPair, 4> pairs = {{{"u", "v"}, {"x", "y"}, {"X", "Y"}, {"R", "G"}}};
+    const PairPicture picture = pair_of_exr(content, file_, pairs);
+    if (picture.columns < 2 || picture.rows < 2) {
+      refuse("", "two or more rows and columns", fmt::format("{} x {} pixels", picture.columns, picture.rows));
+    }
+    const vec2 pitch = (area.high - area.low) / vec2{static_cast<double>(picture.columns), static_cast<double>(picture.rows)};
+    if (std::abs(pitch.x - pitch.y) > off_square * pitch.x) {
+      refuse("", "pixels that are square where the picture lies (direction.grid_area_mm)",
+             fmt::format("{:.6g} x {:.6g} mm", pitch.x, pitch.y));
+    }
+    if (pitch.x < least_pitch_mm) {
+      refuse("", fmt::format("pixels of {} mm or more", least_pitch_mm), fmt::format("{:.6g} mm", pitch.x));
+    }
+    GridDirection grid;
+    grid.pitch_mm = 0.5 * (pitch.x + pitch.y);
+    grid.columns = picture.columns;
+    const vec2 cells{static_cast<double>(picture.columns - 1), static_cast<double>(picture.rows - 1)};
+    grid.origin_mm = 0.5 * (area.low + area.high) - 0.5 * grid.pitch_mm * cells;
+    grid.vectors.reserve(picture.first.size());
+    for (std::size_t row = picture.rows; row-- > 0;) {
+      for (std::size_t column = 0; column < picture.columns; ++column) {
+        const vec2 v{picture.first[row * picture.columns + column], picture.second[row * picture.columns + column]};
+        if (!(std::abs(v.x) <= largest && std::abs(v.y) <= largest)) {
+          refuse("", "finite numbers in range", fmt::format("({}, {}) at pixel ({}, {})", v.x, v.y, column, row));
+        }
+        grid.vectors.push_back(v);
+      }
+    }
+    return grid;
   }
 
  private:
@@ -221,23 +256,34 @@ class DirectionReader {
   std::string file_;
 };
 
-}  // namespace
-
-DirectionFile direction_of_file(const std::filesystem::path& file, const Place& place) {
-  const std::string text = input_text(file, largest_outline_bytes, place);
-  require_utf8(text, file.string());
+std::string ending_of(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return ending;
+}
+
+}  // namespace
+
+bool covers_area(const std::filesystem::path& file) { return ending_of(file) == ".exr"; }
+
+DirectionFile direction_of_file(const std::filesystem::path& file, const Place& place, const geometry::Box& area) {
+  const std::string text = input_text(file, covers_area(file) ? largest_field_bytes : largest_outline_bytes, place);
+  const std::string ending = ending_of(file);
   const DirectionReader reader(file.string());
   DirectionFile result;
-  if (ending == ".json") {
-    result.grid = reader.of_json(text);
-  } else if (ending == ".csv") {
-    result.grid = reader.of_csv(text);
+  if (covers_area(file)) {
+    result.grid = reader.of_exr(text, area);
   } else {
-    throw InputError(place,
-                     fmt::format("expected a file that ends in .json or .csv, got {}", in_quotes(file.filename().string())));
+    require_utf8(text, file.string());
+    if (ending == ".json") {
+      result.grid = reader.of_json(text);
+    } else if (ending == ".csv") {
+      result.grid = reader.of_csv(text);
+    } else {
+      throw InputError(
+          place, fmt::format("expected a file that ends in .json, .csv or .exr, got {}", in_quotes(file.filename().string())));
+    }
   }
   reader.check(result.grid);
   Sha256 hash;

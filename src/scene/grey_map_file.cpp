@@ -1,10 +1,14 @@
 #include "scene/grey_map_file.h"
 
 #include <fmt/format.h>
+#include <png.h>
 
 #include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <cstdint>
+#include <cstring>
 #include <string_view>
-#include <utility>
 
 #include "core/sha256.h"
 #include "scene/input_file.h"
@@ -13,96 +17,90 @@ namespace shatterpave::scene {
 
 namespace {
 
-constexpr unsigned most_level = 65535;
+[[noreturn]] void refuse_map(const std::string& file, const std::string& expected, const std::string& got) {
+  throw InputError(Place{file, 0, 0, ""}, fmt::format("expected {}, got {}", expected, got));
+}
 
-class GreymapReader {
- public:
-  GreymapReader(std::string file, std::string_view text) : file_(std::move(file)), text_(text) {}
+// libpng tells errors by a jump to where it was called, so what is between has nothing to destroy.
+struct GreyPng {
+  std::string_view left;  // of the file
+  std::array<char, 80> error{};
+  png_structp reader = nullptr;
+  png_infop info = nullptr;
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
 
-  void read(GreyMapFile& map) {
-    const std::string_view kind = text_.substr(0, 2);
-    if (kind != "P2" && kind != "P5") refuse("a portable greymap that begins with P2 or P5", in_quotes(kind));
-    at_ = 2;
-    const std::size_t columns = number("its width, 1 or more", most_grey_pixels);
-    const std::size_t rows = number("its height, 1 or more", most_grey_pixels);
-    if (columns == 0 || rows == 0 || columns > most_grey_pixels / rows) {
-      refuse(fmt::format("1 to {} pixels", most_grey_pixels), fmt::format("{} x {}", columns, rows));
-    }
-    greatest_ = static_cast<unsigned>(number("its greatest level, 1 to 65535", most_level));
-    if (greatest_ == 0) refuse("a greatest level from 1 to 65535", "0");
-    map.columns = columns;
-    if (kind == "P5") {
-      ++at_;  // one white space
-      take_bytes(columns * rows, map.greys);
-    } else {
-      take_figures(columns * rows, map.greys);
-    }
+  explicit GreyPng(std::string_view content) : left(content) {
+    reader = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &fail, &ignore_warning);
+    info = png_create_info_struct(reader);
+  }
+  ~GreyPng() { png_destroy_read_struct(&reader, &info, nullptr); }
+  GreyPng(const GreyPng&) = delete;
+  GreyPng& operator=(const GreyPng&) = delete;
+
+  static void fail(png_structp png, png_const_charp message) {
+    auto& self = *static_cast<GreyPng*>(png_get_error_ptr(png));
+    std::strncpy(self.error.data(), message, self.error.size() - 1);
+    std::longjmp(*png_set_longjmp_fn(png, std::longjmp, sizeof(std::jmp_buf)), 1);
+  }
+  static void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
+  static void take(png_structp png, png_bytep out, std::size_t count) {
+    std::string_view& left = static_cast<GreyPng*>(png_get_io_ptr(png))->left;
+    if (count > left.size()) png_error(png, "the file ends too early");
+    std::memcpy(out, left.data(), count);
+    left.remove_prefix(count);
   }
 
- private:
-  [[noreturn]] void refuse(const std::string& expected, const std::string& got) const {
-    throw InputError(Place{file_, 0, 0, ""}, fmt::format("expected {}, got {}", expected, got));
+  // Whether it could: up to its pixels.
+  bool read_head() {
+    if (setjmp(png_jmpbuf(reader)) != 0) return false;
+    png_set_read_fn(reader, this, &take);
+    png_set_user_limits(reader, static_cast<png_uint_32>(most_grey_pixels), static_cast<png_uint_32>(most_grey_pixels));
+    png_read_info(reader, info);
+    columns = png_get_image_width(reader, info);
+    rows = png_get_image_height(reader, info);
+    return true;
   }
 
-  static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; }
-
-  // The next number, after white space and comments.
-  std::size_t number(std::string_view what, std::size_t most) {
-    while (at_ < text_.size() && (is_space(text_[at_]) || text_[at_] == '#')) {
-      if (text_[at_] == '#') {
-        while (at_ < text_.size() && text_[at_] != '\n') ++at_;
-      } else {
-        ++at_;
-      }
+  // Two bytes for each pixel, the high one first, by a pointer to each row.
+  bool read_pixels(png_bytepp row_pointers) {
+    if (setjmp(png_jmpbuf(reader)) != 0) return false;
+    png_set_expand_16(reader);
+    png_set_strip_alpha(reader);
+    if ((png_get_color_type(reader, info) & PNG_COLOR_MASK_COLOR) != 0) {
+      constexpr int as_libpng_does = -1;
+      png_set_rgb_to_gray_fixed(reader, PNG_ERROR_ACTION_NONE, as_libpng_does, as_libpng_does);
     }
-    const std::size_t first = at_;
-    std::size_t value = 0;
-    while (at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9' && value <= most) {
-      value = 10 * value + static_cast<std::size_t>(text_[at_++] - '0');
-    }
-    if (at_ == first || value > most) {
-      refuse(std::string(what), at_ == text_.size() && at_ == first ? "the end" : in_quotes(text_.substr(first, 12)));
-    }
-    return value;
+    png_read_update_info(reader, info);
+    if (png_get_rowbytes(reader, info) != std::size_t{2} * columns) png_error(reader, "no picture in grey");
+    png_read_image(reader, row_pointers);
+    png_read_end(reader, nullptr);
+    return true;
   }
-
-  float grey(unsigned level) const {
-    if (level > greatest_) refuse(fmt::format("levels up to {}", greatest_), fmt::format("{}", level));
-    return static_cast<float>(level) / static_cast<float>(greatest_);
-  }
-
-  void take_bytes(std::size_t count, std::vector<float>& greys) {
-    const std::size_t width = greatest_ > 255 ? 2 : 1;
-    const std::size_t left = text_.size() - std::min(at_, text_.size());
-    if (left < width * count) refuse(fmt::format("{} bytes of pixels", width * count), fmt::format("{}", left));
-    greys.reserve(count);
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(text_[at_ + i])); };
-    for (std::size_t i = 0; i < count; ++i) {
-      greys.push_back(grey(width == 1 ? byte(i) : 256U * byte(2 * i) + byte(2 * i + 1)));
-    }
-  }
-
-  void take_figures(std::size_t count, std::vector<float>& greys) {
-    // Each takes two bytes or more.
-    if (text_.size() - at_ < 2 * count - 1) refuse(fmt::format("{} pixels", count), "fewer");
-    greys.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      greys.push_back(grey(static_cast<unsigned>(number("a level for each pixel", most_level))));
-    }
-  }
-
-  std::string file_;
-  std::string_view text_;
-  std::size_t at_ = 0;
-  unsigned greatest_ = 0;
 };
 
 }  // namespace
 
 GreyMapFile grey_map_of_file(const std::filesystem::path& file, const Place& place) {
   const std::string text = input_text(file, largest_outline_bytes, place);
+  GreyPng png(text);
+  const auto refuse_png = [&] { refuse_map(file.string(), "a PNG picture", in_quotes(png.error.data())); };
+  if (!png.read_head()) refuse_png();
+  if (png.columns > most_grey_pixels / png.rows) {
+    refuse_map(file.string(), fmt::format("at most {} pixels", most_grey_pixels),
+               fmt::format("{} x {}", png.columns, png.rows));
+  }
+  const std::size_t row_bytes = std::size_t{2} * png.columns;
+  std::vector<png_byte> levels(row_bytes * png.rows);
+  std::vector<png_bytep> row_pointers(png.rows);
+  for (std::size_t row = 0; row < png.rows; ++row) row_pointers[row] = levels.data() + row * row_bytes;
+  if (!png.read_pixels(row_pointers.data())) refuse_png();
   GreyMapFile result;
-  GreymapReader(file.string(), text).read(result);
+  result.columns = png.columns;
+  result.greys.reserve(levels.size() / 2);
+  for (std::size_t i = 0; i < levels.size(); i += 2) {
+    result.greys.push_back(static_cast<float>(256 * levels[i] + levels[i + 1]) / 65535.0F);
+  }
   Sha256 hash;
   hash.add_text(text);
   result.sum = hash.sum();

@@ -19,10 +19,9 @@ struct GreyMapFile {
 // As many as a picture of 4096 by 4096.
 inline constexpr std::size_t most_grey_pixels = std::size_t{1} << 24;
 
-// The picture of a portable greymap (PGM, "P2" in figures or "P5" in bytes; https://netpbm.sourceforge.net/doc/pgm.html), its
-// levels over the greatest that it names, as they are: no gamma. Other pictures would need a library that takes longer to load
-// than most scenes to lay. Throws InputError at `place` where there is no such file, and with its name where it is no greymap,
-// has too many pixels or too few levels.
+// The picture of a PNG file, its levels over the greatest that its depth has, as they are: no gamma. Of a picture in colours,
+// the weighted mean that libpng takes; what is transparent counts like what is not. Throws InputError at `place` where there is
+// no such file, and with its name where it is no PNG, is broken or has too many pixels.
 GreyMapFile grey_map_of_file(const std::filesystem::path& file, const Place& place);
 
 }  // namespace shatterpave::scene

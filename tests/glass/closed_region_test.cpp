@@ -17,12 +17,12 @@ namespace {
 
 using geometry::LatticePoint;
 
-const geometry::Polygon square = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+const geometry::Polygon unit_square = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
 
 // Cracks that wander over a small square, from several places at once.
 class Wandering {
  public:
-  explicit Wandering(std::uint64_t seed) : seed_(seed), map_(square, 0.05) {
+  explicit Wandering(std::uint64_t seed) : seed_(seed), map_(unit_square, 0.05) {
     for (int hub = number(3); hub >= 0; --hub) start_at({200 + number(600), 200 + number(600)});
   }
 

@@ -25,7 +25,7 @@ class DirectionFiles : public testing::Test {
 
   DirectionFile read(const std::string& name, const std::string& content) const {
     std::ofstream(folder_ / name, std::ios::binary) << content;
-    return direction_of_file(folder_ / name, Place{"s.toml", 7, 3, "grid_file"});
+    return direction_of_file(folder_ / name, Place{"s.toml", 7, 3, "grid_file"}, {});
   }
   std::string refusal(const std::string& name, const std::string& content) const {
     try {
@@ -79,7 +79,7 @@ TEST_F(DirectionFiles, RefusesWhatIsNoField) {
   EXPECT_TRUE(says(refusal("a.csv", square + "1000,0,1,0\n1000,500,1,0\n"),
                    "expected a vector at each of 3 x 2 places, 500 mm apart, got none at (500, 500)"));
   EXPECT_TRUE(says(refusal("a.csv", "x_mm,y_mm,u,v\n0,0,1,0\n9,0,1,0\n0,9,1,0\n0,9,1,0\n"), "a.csv:5:1"));
-  EXPECT_TRUE(says(refusal("a.txt", ""), ".json or .csv"));
+  EXPECT_TRUE(says(refusal("a.txt", ""), ".json, .csv or .exr"));
   const std::string with_unit = R"({"unit": "m", )" + head.substr(1) + "[[1,0],[1,0],[1,0],[1,0]]}";
   EXPECT_TRUE(
       says(refusal("a.json", with_unit), "expected the keys origin_mm, pitch_mm, columns, vectors alone, got \"unit\""));

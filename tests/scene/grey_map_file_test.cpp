@@ -1,11 +1,14 @@
 #include "scene/grey_map_file.h"
 
 #include <gtest/gtest.h>
+#include <png.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "scene/read_scene.h"
 
@@ -13,7 +16,26 @@ namespace shatterpave::scene {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace std::string_literals;
+
+// A PNG as libpng writes it.
+template <typename Level>
+std::string png_of(png_uint_32 format, png_uint_32 columns, png_uint_32 rows, const std::vector<Level>& levels) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = columns;
+  image.height = rows;
+  image.format = format;
+  png_alloc_size_t size = 0;
+  png_image_write_to_memory(&image, nullptr, &size, 0, levels.data(), 0, nullptr);
+  std::string content(size, '\0');
+  png_image_write_to_memory(&image, content.data(), &size, 0, levels.data(), 0, nullptr);
+  content.resize(size);
+  return content;
+}
+
+std::string grey_png(png_uint_32 columns, png_uint_32 rows, const std::vector<std::uint8_t>& levels) {
+  return png_of(PNG_FORMAT_GRAY, columns, rows, levels);
+}
 
 class GreyMapFiles : public testing::Test {
  protected:
@@ -24,8 +46,8 @@ class GreyMapFiles : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   GreyMapFile read(const std::string& content) const {
-    std::ofstream(folder_ / "m.pgm", std::ios::binary) << content;
-    return grey_map_of_file(folder_ / "m.pgm", Place{"s.toml", 7, 3, "map_file"});
+    std::ofstream(folder_ / "m.png", std::ios::binary) << content;
+    return grey_map_of_file(folder_ / "m.png", Place{"s.toml", 7, 3, "map_file"});
   }
   std::string refusal(const std::string& content) const {
     try {
@@ -39,47 +61,53 @@ class GreyMapFiles : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(GreyMapFiles, FiguresAndBytesSayTheSame) {
-  const std::vector<float> greys = {0.0F, 0.2F, 0.4F, 0.6F, 0.8F, 1.0F};
-  const GreyMapFile figures = read("P2 # by hand\n3 2\n# levels\n255\n0 51 102\n153 204 255\n");
-  EXPECT_EQ(figures.columns, 3U);
-  EXPECT_EQ(figures.greys, greys);
-  const GreyMapFile bytes = read("P5\n3 2 255\n"s + "\0\x33\x66\x99\xcc\xff"s);
-  EXPECT_EQ(bytes.greys, greys);
-  EXPECT_NE(bytes.sum, figures.sum);
-  EXPECT_EQ(read("P5 3 1 65535\n"s + "\0\0\x33\x33\xff\xff"s).greys, (std::vector<float>{0.0F, 0.2F, 1.0F}));
+TEST_F(GreyMapFiles, LevelsAreTakenAsTheyAre) {
+  const GreyMapFile bytes = read(grey_png(3, 2, {0, 51, 102, 153, 204, 255}));
+  EXPECT_EQ(bytes.columns, 3U);
+  EXPECT_EQ(bytes.greys, (std::vector<float>{0.0F, 0.2F, 0.4F, 0.6F, 0.8F, 1.0F}));
+  // Of 16 bits, whatever gamma it names.
+  const GreyMapFile words = read(png_of<std::uint16_t>(PNG_FORMAT_LINEAR_Y, 3, 1, {0, 13107, 65535}));
+  EXPECT_EQ(words.greys, (std::vector<float>{0.0F, 0.2F, 1.0F}));
+  EXPECT_NE(bytes.sum, words.sum);
+  // Greys in a picture of colours; and what is transparent counts like what is not.
+  EXPECT_EQ(read(png_of<std::uint8_t>(PNG_FORMAT_RGB, 2, 1, {51, 51, 51, 255, 255, 255})).greys,
+            (std::vector<float>{0.2F, 1.0F}));
+  EXPECT_EQ(read(png_of<std::uint8_t>(PNG_FORMAT_GA, 2, 1, {51, 0, 255, 255})).greys, (std::vector<float>{0.2F, 1.0F}));
 }
 
-TEST_F(GreyMapFiles, FaultsAreToldByTheirPlace) {
-  EXPECT_NE(refusal("P6 1 1 255\n   ").find("m.pgm: expected a portable greymap that begins with P2 or P5, got \"P6\""),
-            std::string::npos)
-      << refusal("P6 1 1 255\n   ");
-  EXPECT_NE(refusal("").find("begins with P2 or P5"), std::string::npos);
-  EXPECT_NE(refusal("P2").find("its width, 1 or more, got the end"), std::string::npos);
-  EXPECT_NE(refusal("P2 0 4 255").find("1 to 16777216 pixels, got 0 x 4"), std::string::npos);
-  EXPECT_NE(refusal("P5 5000 5000 255\n").find("16777216 pixels, got 5000 x 5000"), std::string::npos);
-  EXPECT_NE(refusal("P5 99999999999 1 255\n").find("its width"), std::string::npos);
-  EXPECT_NE(refusal("P2 2 1 0\n0 0").find("a greatest level from 1 to 65535, got 0"), std::string::npos);
-  EXPECT_NE(refusal("P2 2 1 70000\n0 0").find("its greatest level"), std::string::npos);
-  EXPECT_NE(refusal("P2 2 1 9\n0 10").find("levels up to 9, got 10"), std::string::npos);
-  EXPECT_NE(refusal("P2 2 1 9\n0 x").find("a level for each pixel"), std::string::npos);
-  EXPECT_NE(refusal("P2 2 2 9\n0 1").find("4 pixels, got fewer"), std::string::npos);
-  EXPECT_NE(refusal("P5 2 2 255\nabc").find("4 bytes of pixels, got 3"), std::string::npos);
+TEST_F(GreyMapFiles, WhatIsNoPictureIsRefused) {
+  EXPECT_NE(refusal("P2 1 1 255 0").find("m.png: expected a PNG picture, got"), std::string::npos);
+  EXPECT_NE(refusal("").find("expected a PNG picture"), std::string::npos);
+  const std::string sound = grey_png(64, 64, std::vector<std::uint8_t>(64 * 64, 7));
+  for (std::size_t size = 0; size + 12 < sound.size(); ++size) {
+    EXPECT_NE(refusal(sound.substr(0, size)), "none") << size;
+  }
+  // A byte of its head or its pixels changed: the sums of the chunks tell. What else is in between may be passed over.
+  const std::size_t pixels = sound.find("IDAT");
+  for (std::size_t at = 0; at + 12 < sound.size(); ++at) {
+    constexpr std::size_t head_end = 33;
+    if (at >= head_end && at < pixels - 4) continue;
+    std::string changed = sound;
+    changed[at] = static_cast<char>(changed[at] ^ 4);
+    EXPECT_NE(refusal(changed), "none") << at;
+  }
+  const std::string large = grey_png(4097, 4096, std::vector<std::uint8_t>(std::size_t{4097} * 4096, 7));
+  EXPECT_NE(refusal(large).find("at most 16777216 pixels, got 4097 x 4096"), std::string::npos);
 }
 
 TEST_F(GreyMapFiles, AScenePutsItOverItsPlan) {
-  std::ofstream(folder_ / "m.pgm") << "P2 2 1 1 0 1";
+  std::ofstream(folder_ / "m.png", std::ios::binary) << grey_png(2, 1, {0, 255});
   const auto pavement_of = [&](const std::string& size) {
     std::ofstream(folder_ / "s.toml") << "[[pavement]]\nname = \"p\"\nsize_mm = [2000, 1000]\n[pavement.size]\n" + size;
     return scene_of_file(folder_ / "s.toml", {}).pavements.front();
   };
   const auto map = std::get<paving::SizesOfMap>(
-      pavement_of("kind = \"map\"\nmap_file = \"m.pgm\"\ndark = 0.5\nlight = 2\nmap_area_mm = [[0, 0], [500, 400]]\n").sizes);
+      pavement_of("kind = \"map\"\nmap_file = \"m.png\"\ndark = 0.5\nlight = 2\nmap_area_mm = [[0, 0], [500, 400]]\n").sizes);
   EXPECT_EQ(map.dark, 0.5);
   EXPECT_EQ(map.light, 2.0);
   EXPECT_EQ(map.high_mm, (vec2{500, 400}));
   EXPECT_EQ(map.greys, (std::vector<float>{0.0F, 1.0F}));
-  const auto whole = std::get<paving::SizesOfMap>(pavement_of("kind = \"map\"\nmap_file = \"m.pgm\"\n").sizes);
+  const auto whole = std::get<paving::SizesOfMap>(pavement_of("kind = \"map\"\nmap_file = \"m.png\"\n").sizes);
   EXPECT_EQ(whole.high_mm - whole.low_mm, (vec2{2000, 1000}));
   EXPECT_THROW(static_cast<void>(pavement_of("kind = \"map\"\n")), InputError);
   EXPECT_THROW(static_cast<void>(pavement_of("kind = \"line\"\n")), InputError);

@@ -205,7 +205,7 @@ TEST(Keys, TakeTheirChoicesAndNoOther) {
       } else if (choice == "grid") {
         EXPECT_EQ(said, "expected grid_file = \"…\", a file of vectors, got none");
       } else if (choice == "map") {
-        EXPECT_EQ(said, "expected map_file = \"…\", a picture of one grey channel, got none");
+        EXPECT_EQ(said, "expected map_file = \"…\", a grey picture, got none");
       } else {
         EXPECT_EQ(said, "") << path << " = " << choice;
       }

@@ -306,9 +306,15 @@ const Section<DirectionAsked, PavementFacts> direction_keys{
             .idle(without_guides, without_guides_kind),
         DirectionRow::by_code(
             "grid_file", ValueType::text,
-            "grid: a file of vectors beside the scene, `.json` or `.csv`; see [directions](#a-direction-field)")
+            "grid: a file of vectors beside the scene, `.json`, `.csv` or `.exr`; see [directions](#a-direction-field)")
             .written("file name")
             .by_default("must be given for a grid")
+            .idle([](const PavementFacts& f) { return !f.runs<paving::GridDirection>(); }, "without kind = \"grid\""),
+        DirectionRow::by_code("grid_area_mm", ValueType::points,
+                              "grid: the rectangle of the plan that a picture of vectors covers")
+            .within(coordinate_range)
+            .written("`[[x, y], [x, y]]`, lower left and upper right corner")
+            .by_default("the pavement's bounding box")
             .idle([](const PavementFacts& f) { return !f.runs<paving::GridDirection>(); }, "without kind = \"grid\""),
         DirectionRow::by_code("guides_feature", ValueType::features,
                               "which of its lines the rows follow, in place of `guides_mm`")
@@ -341,7 +347,7 @@ const Section<SizeAsked, PavementFacts> size_keys{
             .by_default("must be given for lines")
             .idle(sized_otherwise<paving::SizesFromLines>, without_lines),
         SizeRow::by_code("map_file", ValueType::text,
-                         "map: a picture of one grey channel beside the scene, `.pgm`; see [sizes](#sizes-that-follow-a-field)")
+                         "map: a grey picture beside the scene, `.png`; see [sizes](#sizes-that-follow-a-field)")
             .written("file name")
             .by_default("must be given for a map")
             .idle(sized_otherwise<paving::SizesOfMap>, without_map),

@@ -43,14 +43,29 @@ std::filesystem::path file_beside(const TomlTable& table, std::string_view key, 
   return folder / *name;
 }
 
-paving::GridDirection grid_of(const TomlTable& table, Plans& plans) {
-  DirectionFile file = direction_of_file(file_beside(table, "grid_file", "a file of vectors"), table.place("grid_file"));
+// Of a rectangle's lower left and upper right corner.
+geometry::Box box_of(const TomlTable& table, std::string_view key) {
+  const PlacedPoints corners = *table.points(key, coordinate_range);
+  const bool is_box =
+      corners.points.size() == 2 && corners.points[0].x < corners.points[1].x && corners.points[0].y < corners.points[1].y;
+  if (!is_box) refuse(corners.place, "the lower left and the upper right corner", "other points");
+  return {corners.points[0], corners.points[1]};
+}
+
+// `area` is what the pavements of the table cover together.
+paving::GridDirection grid_of(const TomlTable& table, const geometry::Box& area, Plans& plans) {
+  const std::filesystem::path file_name = file_beside(table, "grid_file", "a file of vectors");
+  const bool has_area = table.has("grid_area_mm");
+  if (has_area && !covers_area(file_name)) {
+    refuse(table.place("grid_area_mm"), "a picture as grid_file beside it", "a file that tells where its vectors are");
+  }
+  DirectionFile file = direction_of_file(file_name, table.place("grid_file"), has_area ? box_of(table, "grid_area_mm") : area);
   plans.note_sum(file.sum);
   return std::move(file.grid);
 }
 
 // Keys of kinds other than the chosen one are checked like all others; that they have no effect is told (idle_keys.h).
-paving::Direction direction_of(const TomlTable& pavement, Plans& plans) {
+paving::Direction direction_of(const TomlTable& pavement, const geometry::Box& area, Plans& plans) {
   using Kind = DirectionAsked::Kind;
   DirectionAsked asked;
   const auto table = direction_keys.read_in(pavement, asked);
@@ -66,21 +81,12 @@ paving::Direction direction_of(const TomlTable& pavement, Plans& plans) {
     if (is_guides) return guides;
   }
   if (asked.kind == Kind::grid || table->has("grid_file")) {
-    paving::GridDirection grid = grid_of(*table, plans);
+    paving::GridDirection grid = grid_of(*table, area, plans);
     if (asked.kind == Kind::grid) return grid;
   }
   if (asked.kind == Kind::boundary) return paving::BoundaryDirection{};
   if (asked.kind == Kind::radial) return paving::RadialDirection{geometry::on_lattice(asked.centre_mm)};
   return paving::ConstantDirection{asked.angle};
-}
-
-// Of a rectangle's lower left and upper right corner.
-geometry::Box box_of(const TomlTable& table, std::string_view key) {
-  const PlacedPoints corners = *table.points(key, coordinate_range);
-  const bool is_box =
-      corners.points.size() == 2 && corners.points[0].x < corners.points[1].x && corners.points[0].y < corners.points[1].y;
-  if (!is_box) refuse(corners.place, "the lower left and the upper right corner", "other points");
-  return {corners.points[0], corners.points[1]};
 }
 
 paving::SizesFromLines lines_of(const TomlTable& table, const paving::SizeRamp& ramp) {
@@ -94,7 +100,7 @@ paving::SizesFromLines lines_of(const TomlTable& table, const paving::SizeRamp& 
 
 // `area` is what the pavements of the table cover together.
 paving::SizesOfMap map_of(const TomlTable& table, const SizeAsked& asked, const geometry::Box& area, Plans& plans) {
-  GreyMapFile file = grey_map_of_file(file_beside(table, "map_file", "a picture of one grey channel"), table.place("map_file"));
+  GreyMapFile file = grey_map_of_file(file_beside(table, "map_file", "a grey picture"), table.place("map_file"));
   plans.note_sum(file.sum);
   const geometry::Box box = table.has("map_area_mm") ? box_of(table, "map_area_mm") : area;
   return {asked.dark, asked.light, box.low, box.high, file.columns, std::move(file.greys)};
@@ -244,7 +250,7 @@ paving::Pavement pavement_of(const TomlTable& table, const geometry::Box& area, 
   paving::Pavement pavement;
   pavement.name = name_of(table);
   pavement_keys.read(table, pavement);
-  pavement.direction = direction_of(table, plans);
+  pavement.direction = direction_of(table, area, plans);
   pavement.sizes = sizes_of(table, area, plans);
   surface_keys.read_in(table, pavement);
   cell_keys.read_in(table, pavement.cell);

@@ -96,54 +96,65 @@ Finding largest_stone(const LayoutFigures& f) {
                  f.largest_limited_percent, f.limited, "stones");
 }
 
-std::vector<FindingOf> all_findings(const paving::Pavement& pavement) {
+// A finding, and whether it is one of cobbles and scales too: what only a paviour's stones are held to, they are not.
+struct Held {
+  FindingOf of;
+  bool cells_too = false;
+};
+
+std::vector<Held> all_findings(const paving::Pavement& pavement) {
   using F = LayoutFigures;
+  constexpr bool cells_too = true;
   return {
-      [](const F& f) {
+      {[](const F& f) {
         return at_most("alignment_mean", "Sides of whole stones against their rows, mean", "°", most_misaligned_mean_deg,
                        f.misaligned_mean_deg, f.sides, "sides");
-      },
-      [](const F& f) {
+      }},
+      {[](const F& f) {
         return at_most("alignment_p95", "Sides of whole stones against their rows, 95th percentile", "°",
                        most_misaligned_p95_deg, f.misaligned_p95_deg, f.sides, "sides");
-      },
-      [](const F& f) {
+      }},
+      {[](const F& f) {
         return at_least("four_sided", "Four-sided among whole stones", least_four_sided, f.four_sided_percent, f.shaped,
                         "whole stones");
-      },
-      [](const F& f) { return none("overlaps", "Pairs of stones that overlap or touch", f.faults.overlaps, f.stones); },
-      [](const F& f) { return none("outside", "Stones outside the area or in a hole", f.faults.outside, f.stones); },
-      [](const F& f) { return none("invalid", "Stones whose outline is no plain polygon", f.faults.invalid, f.stones); },
-      [](const F& f) {
-        return at_least("coverage", "Area under stones grown by half a joint", least_covered, f.covered_percent, f.stones,
-                        "stones");
-      },
-      [](const F& f) { return none("holes", "Places where a stone is missing", f.holes, f.stones); },
-      [&pavement](const F& f) { return bare_spot(pavement, f); },
-      [&pavement](const F& f) { return missing(pavement, f); },
-      [](const F& f) {
+      }},
+      {[](const F& f) { return none("overlaps", "Pairs of stones that overlap or touch", f.faults.overlaps, f.stones); },
+       cells_too},
+      {[](const F& f) { return none("outside", "Stones outside the area or in a hole", f.faults.outside, f.stones); },
+       cells_too},
+      {[](const F& f) { return none("invalid", "Stones whose outline is no plain polygon", f.faults.invalid, f.stones); },
+       cells_too},
+      {[](const F& f) {
+         return at_least("coverage", "Area under stones grown by half a joint", least_covered, f.covered_percent, f.stones,
+                         "stones");
+       },
+       cells_too},
+      {[](const F& f) { return none("holes", "Places where a stone is missing", f.holes, f.stones); }, cells_too},
+      {[&pavement](const F& f) { return bare_spot(pavement, f); }, cells_too},
+      {[&pavement](const F& f) { return missing(pavement, f); }, cells_too},
+      {[](const F& f) {
         return at_least("joint_p5", "Width of joints over the asked one, 5th percentile", 100.0 - joint_tolerance,
                         f.joint_p5_percent, f.joints, "joints");
-      },
-      joint_median,
-      [](const F& f) {
+      }},
+      {joint_median},
+      {[](const F& f) {
         return at_most("joint_p95", "Width of joints over the asked one, 95th percentile", "%", 100.0 + joint_tolerance,
                        f.joint_p95_percent, f.joints, "joints");
-      },
-      [](const F& f) {
+      }},
+      {[](const F& f) {
         return at_most("area_spread", "Spread of whole stones' areas, SD over mean", "%", most_area_spread,
                        f.area_spread_percent, f.sized, "whole stones");
-      },
-      [](const F& f) {
+      }},
+      {[](const F& f) {
         return at_least("smallest_piece", "Smallest piece over a whole stone", least_smallest, f.smallest_percent, f.stones,
                         "stones");
-      },
-      largest_stone,
-      [](const F& f) {
+      }},
+      {largest_stone},
+      {[](const F& f) {
         return at_most("irregular_spots", "Spots of irregular stones, against twice the least that the field allows", "",
                        most_spots_to_least * f.field.least_spots(), static_cast<double>(f.irregular_spots), f.counted_stones,
                        "inner stones");
-      },
+      }},
   };
 }
 
@@ -152,7 +163,10 @@ std::vector<FindingOf> all_findings(const paving::Pavement& pavement) {
 std::vector<Finding> pavement_findings(const paving::Pavement& pavement, std::span<const LayoutFigures> layouts) {
   ENSURE(!layouts.empty());
   std::vector<Finding> findings;
-  for (const FindingOf& of : all_findings(pavement)) findings.push_back(worst(layouts, of));
+  const bool is_of_cells = pavement.cell.form != paving::CellForm::stone;
+  for (const Held& held : all_findings(pavement)) {
+    if (held.cells_too || !is_of_cells) findings.push_back(worst(layouts, held.of));
+  }
   return findings;
 }
 

@@ -12,7 +12,8 @@
 namespace shatterpave::measure {
 
 // Of one or more layouts of the pavement, with one seed each. A pavement must be good with any seed: each finding is of the
-// seed where it is worst.
+// seed where it is worst. Cobbles and scales (`Pavement::cell`) are held to what makes a layout sound alone: no overlaps,
+// nothing outside, no bare spots, as many as the area takes.
 std::vector<Finding> pavement_findings(const paving::Pavement& pavement, std::span<const LayoutFigures> layouts);
 
 }  // namespace shatterpave::measure

@@ -245,5 +245,20 @@ TEST(PavementFindings, AreOfTheWorstSeed) {
   EXPECT_EQ(finding_of(findings, "coverage").verdict, Verdict::holds);
 }
 
+TEST(PavementFindings, HoldCobblesAndScalesToSoundnessAlone) {
+  Pavement paved = small_path();
+  LayoutFigures figures = as_laid(paved, paving::laid_stones(paved, 1)).figures;
+  figures.misaligned_mean_deg = 30.0;
+  figures.joint_median_percent = 200.0;
+  figures.area_spread_percent = 60.0;
+  figures.faults.overlaps = 1;
+  figures.holes = 1;
+  EXPECT_EQ(failing(paved, figures), (Ids{"alignment_mean", "overlaps", "holes", "joint_median", "area_spread"}));
+  for (const paving::CellForm form : {paving::CellForm::cobble, paving::CellForm::scale}) {
+    paved.cell.form = form;
+    EXPECT_EQ(failing(paved, figures), (Ids{"overlaps", "holes"}));
+  }
+}
+
 }  // namespace
 }  // namespace shatterpave::measure

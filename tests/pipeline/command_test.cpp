@@ -393,8 +393,8 @@ TEST_F(Command, RefusalsOfLayingHaveTheirPlaces) {
   expect("bond = \"fan\"\nstone_mm = [300, 100]\n",
          "laid.toml:5:12: pavement[0].stone_mm: expected stones at most twice as long as wide for this bond, got [300, 100]");
   expect("bond = \"ashlar\"\n[pavement.textures]\nseamless = true\n",
-         "laid.toml:6:12: pavement[0].textures.seamless: expected a bond that repeats (not ashlar or crazy), and rows in one "
-         "direction");
+         "laid.toml:6:12: pavement[0].textures.seamless: expected a bond that repeats (not ashlar or crazy), rows in one "
+         "direction and stones of one size");
   expect("textures = {seamless = true, tile_mm = [3, 3]}\n",
          "laid.toml:4:40: pavement[0].textures.tile_mm: expected a tile that whole periods of the bond fit, such as [108.000, "
          "1080.000], got [3, 3]");

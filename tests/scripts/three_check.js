@@ -41,7 +41,7 @@ const profile = fs.mkdtempSync(path.join(os.tmpdir(), "three-"));
 let browser;
 function end(status) {
   clearTimeout(limit);
-  browser.once("exit", () => { fs.rmSync(profile, { recursive: true, force: true, maxRetries: 5 }); process.exit(status); });
+  browser.once("exit", () => { fs.rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 50 }); process.exit(status); });
   browser.kill("SIGKILL");
 }
 const limit = setTimeout(() => { console.log("three.js told nothing within five minutes"); end(1); }, 300000);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -12,6 +13,7 @@
 #include "measure/pavement_measures.h"
 #include "paving/laying.h"
 #include "paving/layout_quality.h"
+#include "paving/limits.h"
 #include "paving/paved_areas.h"
 #include "paving/seamless.h"
 
@@ -125,6 +127,37 @@ TEST(SizeField, PackedStonesHaveTheSizesThatAreAskedFor) {
     EXPECT_GT(q.coverage, 0.99);
     EXPECT_LT(q.mean_misalignment_deg, 4.0);
     EXPECT_GT(q.four_sided, 0.85);
+  }
+}
+
+// Areas, fields, joints and sizes at random: stones, cobbles and scales never overlap, nor leave the area.
+TEST(SizeField, StonesOfRandomPlansAreSound) {
+  std::mt19937_64 draw(11);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(draw() >> 11) * 0x1.0p-53;
+  };
+  const auto size = [&] { return between(size_bounds.low, 2.5); };
+  for (int number = 0; number < 60; ++number) {
+    geometry::Region area{circle({0, 0}, between(400, 1100), 3 + number % 12), {}};
+    if (number % 3 == 0) area.holes.push_back(circle({between(-90, 90), between(-90, 90)}, between(20, 80), 5));
+    const Direction direction = number % 2 == 0 ? straight(between(-90, 90)) : Direction(BoundaryDirection{});
+    Pavement paved = pavement(area, between(50, 110), number % 5 == 0 ? 0.0 : between(1, 12), direction);
+    const SizeRamp ramp{size(), size(), between(100, 1500)};
+    if (number % 4 == 0) {
+      paved.sizes = SizesFromLines{ramp, {{{-500, between(-300, 300)}, {500, between(-300, 300)}}}};
+    } else if (number % 4 == 1) {
+      SizesOfMap map{size(), size(), {-800, -800}, {800, 800}, 3, {}};
+      for (int i = 0; i < 9; ++i) map.greys.push_back(static_cast<float>(between(0, 1)));
+      paved.sizes = map;
+    } else {
+      paved.sizes = SizesFromEdge{ramp};
+    }
+    paved.cell.form = static_cast<CellForm>(number % 3);
+    const StoneLayout layout = laid_stones(paved, static_cast<std::uint64_t>(number));
+    const LayoutFaults found = faults(paved, layout);
+    EXPECT_EQ(found.total(), 0U) << "number " << number << ": " << found.invalid << " invalid, " << found.overlaps
+                                 << " overlaps, " << found.outside << " outside, of " << layout.stones.size();
+    EXPECT_FALSE(layout.stones.empty()) << number;
   }
 }
 

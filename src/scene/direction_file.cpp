@@ -256,7 +256,7 @@ class DirectionReader {
   std::string file_;
 };
 
-std::string ending_of(const std::filesystem::path& file) {
+std::string small_ending(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
@@ -265,11 +265,11 @@ std::string ending_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-bool covers_area(const std::filesystem::path& file) { return ending_of(file) == ".exr"; }
+bool covers_area(const std::filesystem::path& file) { return small_ending(file) == ".exr"; }
 
 DirectionFile direction_of_file(const std::filesystem::path& file, const Place& place, const geometry::Box& area) {
   const std::string text = input_text(file, covers_area(file) ? largest_field_bytes : largest_outline_bytes, place);
-  const std::string ending = ending_of(file);
+  const std::string ending = small_ending(file);
   const DirectionReader reader(file.string());
   DirectionFile result;
   if (covers_area(file)) {

@@ -159,6 +159,22 @@ void add_ring_crack(const glass::CrackNetwork& network, std::size_t i, ImpactMea
   if (is_radial(met.kind)) result.ring_end_angles.push_back(ring_end_angle(crack, met));
 }
 
+// `origin_mm` is where the whole pixels begin on which it is tracked.
+void add_crack(const glass::CrackNetwork& network, std::size_t i, const glass::Pane& pane, vec2 origin_mm,
+               ImpactMeasures& of_impact) {
+  const Crack& crack = network.cracks[i];
+  const bool reaches_edge = crack.end.at == CrackEnd::At::edge;
+  count_end(crack.end, of_impact.ends);
+  if (reaches_edge) of_impact.edge_angles.push_back(edge_angle(crack, pane.outline_mm));
+  if (crack.kind == CrackKind::circular) {
+    add_ring_crack(network, i, of_impact);
+    return;
+  }
+  if (is_radial(crack.kind)) add_pixel_turns(crack, origin_mm, of_impact);
+  if (is_radial(crack.kind) && reaches_edge) ++of_impact.reaching_count;
+  if (crack.kind == CrackKind::large) add_turns(crack, of_impact);
+}
+
 }  // namespace
 
 bool is_young(const ImpactMeasures& measures, std::size_t i) {
@@ -183,17 +199,7 @@ PaneMeasures measured(const glass::CrackNetwork& network, const glass::Pane& pan
   for (const glass::ImpactCounts& impact : network.impacts) result.impacts.emplace_back().drawn = impact;
   const vec2 origin_mm = geometry::bounding_box(pane.outline_mm).low;
   for (std::size_t i = 0; i < network.cracks.size(); ++i) {
-    const Crack& crack = network.cracks[i];
-    ImpactMeasures& of_impact = result.impacts[static_cast<std::size_t>(crack.impact)];
-    count_end(crack.end, of_impact.ends);
-    if (crack.end.at == CrackEnd::At::edge) of_impact.edge_angles.push_back(edge_angle(crack, pane.outline_mm));
-    if (crack.kind == CrackKind::circular) {
-      add_ring_crack(network, i, of_impact);
-      continue;
-    }
-    if (is_radial(crack.kind)) add_pixel_turns(crack, origin_mm, of_impact);
-    if (is_radial(crack.kind) && crack.end.at == CrackEnd::At::edge) ++of_impact.reaching_count;
-    if (crack.kind == CrackKind::large) add_turns(crack, of_impact);
+    add_crack(network, i, pane, origin_mm, result.impacts[static_cast<std::size_t>(network.cracks[i].impact)]);
   }
   for (std::size_t i = 0; i < result.impacts.size(); ++i) {
     ImpactMeasures& of_impact = result.impacts[i];

@@ -15,6 +15,7 @@
 #include "core/functions.h"
 #include "core/random.h"
 #include "geometry/bend.h"
+#include "geometry/segment_distance.h"
 #include "glass/shards/convex_parts.h"
 #include "glass/shards/hole_outline.h"
 #include "glass/shards/rigid_scene.h"
@@ -64,6 +65,24 @@ constexpr double excess = 0.01;
 constexpr double excess_mm2 = 0.25;
 // And those of bent ones so much thicker: as the skin, too.
 constexpr double bent_excess_mm = 0.1;
+
+// Corners nearer than this to the side that is left without them are left out of what collides: a third of the skin. Along a
+// crack a part has up to seventy, and each is looked at wherever it may touch.
+constexpr double slight_mm = 0.03;
+
+geometry::Polygon without_slight_corners(const geometry::Polygon& convex) {
+  geometry::Polygon kept = {convex.front()};
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < convex.size(); ++i) {
+    const vec2 next = convex[(i + 1) % convex.size()];
+    const auto is_slight = [&](const vec2 p) { return geometry::distance_to_segment(p, convex[last], next) <= slight_mm; };
+    const auto begin = convex.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+    if (std::all_of(begin, convex.begin() + static_cast<std::ptrdiff_t>(i) + 1, is_slight)) continue;
+    kept.push_back(convex[i]);
+    last = i;
+  }
+  return kept.size() >= 3 ? kept : convex;
+}
 
 // What of a convex polygon lies within the box: cut side by side (Sutherland and Hodgman, 1974).
 geometry::Polygon convex_within(geometry::Polygon polygon, const geometry::Box& box) {
@@ -179,8 +198,9 @@ std::vector<Falling> fallings(const Pane& pane, const std::vector<Shard>& shards
     if (shard.state == ShardState::missing) continue;
     const vec2 centre = geometry::centroid(shard.face.outline);
     const vec3 pivot = bend.point({centre, 0.0});
-    btCollisionShape* shape =
-        scene.prisms(even_parts(convex_parts(shard.face, excess, excess_mm2), bend, lean), place, pivot, half_mm);
+    std::vector<geometry::Polygon> parts = even_parts(convex_parts(shard.face, excess, excess_mm2), bend, lean);
+    for (geometry::Polygon& part : parts) part = without_slight_corners(part);
+    btCollisionShape* shape = scene.prisms(parts, place, pivot, half_mm);
     if (shard.state == ShardState::standing) {
       scene.add_fixed(shape, pivot);
       continue;

@@ -12,6 +12,6 @@ judge=$here/../layouts/judge_layouts.py
 "$program" --first 129 --count 1 | cmp - <(tail -n 1 "$scratch/lines")
 head -n 50 "$scratch/lines" | /usr/bin/python3 "$judge" --self-test
 # The scorer finds the same bare spots.
-"$program" --measured --first 941 --count 60 >"$scratch/measured"
+"$program" --measured --first 941 --count 30 >"$scratch/measured"
 /usr/bin/python3 "$judge" --worst 3 <"$scratch/measured"
-/usr/bin/python3 "$judge" --run "$program" --first 1001 --count 150 --worst 3
+/usr/bin/python3 "$judge" --run "$program" --first 1001 --count 50 --worst 3

@@ -34,8 +34,13 @@ for pane in panes:
 CHECK
 
 ends 2 "$plate" --wrong
-sed "s|^here=.*|here=$root/docs|; s/^14 b 104 /14 b 105 /" "$plate" >"$scratch/plate.sh"
-if bash "$scratch/plate.sh" --command "$command" "$scratch/c.svg" 2>"$scratch/said"; then fail "a wrong caption is not noticed"; fi
+# A copy with a wrong caption, beside what it sources.
+mkdir "$scratch/docs"
+ln -s "$root/.ci" "$scratch/.ci"
+cp "$root/docs/sheet.sh" "$scratch/docs/"
+sed "s/^14 b 104 /14 b 105 /" "$plate" >"$scratch/docs/plate.sh"
+if bash "$scratch/docs/plate.sh" --command "$command" "$scratch/c.svg" 2>"$scratch/said"; then fail "a wrong caption is not noticed"; fi
+grep -q "other counts than their captions" "$scratch/said" || fail "a wrong caption is refused for another reason: $(<"$scratch/said")"
 [[ ! -e $scratch/c.svg ]] || fail "a plate with a wrong caption is left"
 
 "$root/docs/bonds.sh" --command "$command" "$scratch/bonds.svg" >"$scratch/said"

@@ -32,17 +32,7 @@ done <<<"$panes"
 
 # Two rows of four panes; each takes 300 mm and 30 mm to the next, and a caption below.
 page() {
-  cat <<'HEAD'
-<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 13200 6900">
-<title>One pane by both laws of growth</title>
-<style>
-rect{fill:#fff;stroke:#000;stroke-width:6}
-path{fill:none;stroke:#222;stroke-width:5;stroke-linejoin:round;stroke-linecap:round}
-.large{stroke:#000;stroke-width:8}
-text{font:105px sans-serif;text-anchor:middle}
-</style>
-<rect x="-9" y="-9" width="13218" height="6918" style="stroke:none"/>
-HEAD
+  sheet_head 'One pane by both laws of growth' 6900
   local place=0 column row words
   while IFS='|' read -r _ _ words; do
     ((column = place % 4, row = place / 4)) || true

@@ -36,17 +36,7 @@ printed=$(awk 'NF { print $3 "," $5 "," $4 }' <<<"$experiments")
 
 # Three rows of four panes; each takes 300 mm and 24 mm to the next, and a caption below.
 page() {
-  cat <<'HEAD'
-<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 13200 10620">
-<title>The twelve experiments of Agui et al. 1992, Figs. 14 to 16, by shatterpave</title>
-<style>
-rect{fill:#fff;stroke:#000;stroke-width:6}
-path{fill:none;stroke:#222;stroke-width:5;stroke-linejoin:round;stroke-linecap:round}
-.large{stroke:#000;stroke-width:8}
-text{font:105px sans-serif;text-anchor:middle}
-</style>
-<rect x="-9" y="-9" width="13218" height="10638" style="stroke:none"/>
-HEAD
+  sheet_head 'The twelve experiments of Agui et al. 1992, Figs. 14 to 16, by shatterpave' 10620
   local place=0 column row figure letter m r n v1 v2 v3 law
   while read -r figure letter m r n v1 v2 v3; do
     ((figure == 16)) && law=uniform || law=normal

@@ -60,3 +60,18 @@ crack_paths() {
       for (i = 1; i in kinds; ++i) printf "<path class=\"%s\" d=\"%s\"/>\n", kinds[i], all[kinds[i]]
     }' "$1"
 }
+
+# sheet_head TITLE HEIGHT: how a page begins of panes, four in a row, and what their cracks look like.
+sheet_head() {
+  cat <<HEAD
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 13200 $2">
+<title>$1</title>
+<style>
+rect{fill:#fff;stroke:#000;stroke-width:6}
+path{fill:none;stroke:#222;stroke-width:5;stroke-linejoin:round;stroke-linecap:round}
+.large{stroke:#000;stroke-width:8}
+text{font:105px sans-serif;text-anchor:middle}
+</style>
+<rect x="-9" y="-9" width="13218" height="$(($2 + 18))" style="stroke:none"/>
+HEAD
+}

@@ -2,7 +2,7 @@
 """Judges layouts with shapely (GEOS), which the product has nothing in common with.
 
    judge_layouts.py < LINES                                  lines as random_layouts writes them
-   judge_layouts.py --run PROGRAM --first N --count M [--processes P] [--rare] [FILE.geojson ...]     runs random_layouts itself
+   judge_layouts.py --run PROGRAM --first N --count M [--processes P] [--rare|--sized] [FILE.geojson ...]     runs random_layouts itself
    judge_layouts.py --self-test < LINES                      sound layouts are spoilt: each must be found out
 
 Prints how many layouts there were of each bond and field and what is wrong with them, the worst of each fault with the scenes that make
@@ -273,6 +273,13 @@ def sizes(area, stones, layout):
     return worst, oversized, longest, heaviest
 
 
+def as_judged(layout):
+    """Where sizes follow a field, stones differ by design, and are held to the largest that is asked for."""
+    if "sizes" not in layout:
+        return layout
+    return dict(layout, field="sized", stone_mm=[layout["sizes"][1] * side for side in layout["stone_mm"]])
+
+
 def judged(layout):
     """{fault: measure}, and what else is of interest."""
     faults, notes = {}, {"stones": 0, "longest": 0.0, "heaviest": 0.0}
@@ -415,7 +422,7 @@ def lines_of(program, first, count, files):
 def tally_of(lines):
     tally = Tally()
     for line in lines:
-        layout = json.loads(line)
+        layout = as_judged(json.loads(line))
         tally.add(layout, *judged(layout))
     return tally
 
@@ -489,6 +496,7 @@ def main():
     arguments.add_argument("--processes", type=int, default=2)
     arguments.add_argument("--worst", type=int, default=20)
     arguments.add_argument("--rare", action="store_true")
+    arguments.add_argument("--sized", action="store_true")
     arguments.add_argument("--self-test", action="store_true")
     arguments.add_argument("files", nargs="*")
     options = arguments.parse_args()
@@ -499,7 +507,7 @@ def main():
     begin = time.time()
     if options.run:
         step = 25
-        more = ["--rare"] * options.rare + options.files
+        more = ["--rare"] * options.rare + ["--sized"] * options.sized + options.files
         tasks = [(options.run, first, min(step, options.first + options.count - first), more)
                  for first in range(options.first, options.first + options.count, step)]
         tally = Tally()

@@ -1,8 +1,9 @@
 // Lays random pavements and writes each as a line of JSON, for judge_layouts.py.
 //
-//    random_layouts --first N --count M [--rare] [FILE.geojson …]    numbers N … N + M − 1, with the areas of these files among
+//    random_layouts --first N --count M [--rare|--sized] [FILE.geojson …]    numbers N … N + M − 1, with the areas of these
+//    files among
 //                                            theirs; --rare: stones larger than their area, joints wider than stones, and the
-//                                            like
+//                                            like; --sized: packed stones whose sizes follow a field
 //    random_layouts --scene FILE.toml …      the pavements of these scenes
 //
 // With --measured before them lines also hold what the scorer finds.
@@ -64,7 +65,7 @@ void put_ring(std::string& out, const geometry::Polygon& ring) {
 }
 
 std::string_view name_of(const paving::Direction& direction) {
-  constexpr std::string_view names[] = {"constant", "boundary", "radial", "guides"};
+  constexpr std::string_view names[] = {"constant", "boundary", "radial", "guides", "grid"};
   return names[direction.index()];
 }
 
@@ -83,6 +84,10 @@ void put_pavement(std::string& out, const paving::Pavement& pavement) {
                  name_of(pavement.border.course), border.x, border.y, pavement.variation.missing, pavement.hand.amount);
   if (pavement.hand.rounded) fmt::format_to(to, "\"rounded\":{},", *pavement.hand.rounded);
   if (pavement.hand.nibbled) fmt::format_to(to, "\"nibbled\":{},", *pavement.hand.nibbled);
+  if (paving::has_sizes(pavement)) {
+    const paving::SizeRange sizes = paving::size_range(pavement);
+    fmt::format_to(to, "\"sizes\":[{},{}],", sizes.smallest, sizes.largest);
+  }
   out += "\"outline_um\":";
   put_ring(out, pavement.area.outline);
   out += ",\"holes_um\":[";
@@ -183,6 +188,8 @@ void print_all(std::span<char*> arguments) {
       (argument == "--first" ? first : count) = number_of(arguments[++i]);
     } else if (argument == "--rare") {
       wanted.kind = layouts::Kind::rare;
+    } else if (argument == "--sized") {
+      wanted.kind = layouts::Kind::sized;
     } else if (argument == "--measured") {
       wanted.measures = true;
     } else if (argument == "--scene") {

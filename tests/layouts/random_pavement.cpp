@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "layouts/random_areas.h"
 #include "paving/bonds/table.h"
 #include "paving/catalogue/hand_presets.h"
+#include "paving/limits.h"
 
 namespace shatterpave::layouts {
 
@@ -133,6 +135,21 @@ std::string hand_text(const Draws& draws) {
   return text;
 }
 
+// Sizes by the distance from the edge or from lines, and what becomes of the cells. (Maps are files.)
+std::string sized_text(const Draws& draws, const Region& area) {
+  const paving::Bounds bounds = paving::size_bounds;
+  const double reach = glm::length(within(geometry::bounding_box(area.outline), 1.0, 1.0) -
+                                   within(geometry::bounding_box(area.outline), 0.0, 0.0));
+  std::string text =
+      fmt::format("near = {:.3f}, far = {:.3f}, distance_mm = {:.1f}", draws.spread("near", bounds.low, bounds.high),
+                  draws.spread("far", bounds.low, bounds.high), reach * draws.spread("reach", 0.02, 1.0));
+  if (draws.chance("lines", 0.5))
+    text += ", kind = \"line\", lines_mm = " + guides_text(draws.of("lines"), geometry::bounding_box(area.outline));
+  constexpr std::array forms{"stone", "cobble", "scale"};
+  return fmt::format("size = {{{}}}\ncell = {{form = \"{}\", overlap = {:.3f}}}\n", text, forms.at(draws.count("form", 0, 2)),
+                     draws.unit("overlap"));
+}
+
 // What is rare about a scene: one or two of these.
 struct Rarities {
   bool few = false;        // stones are larger than the area
@@ -202,6 +219,7 @@ DrawnScene random_scene(std::uint64_t number, std::uint64_t attempt, Kind kind, 
   std::vector<const BondType*> bonds;
   std::ranges::copy_if(paving::bond_types(), std::back_inserter(bonds),
                        [](const BondType* type) -> bool { return type->is_for_scenes; });
+  if (kind == Kind::sized) std::erase_if(bonds, [](const BondType* type) { return type->bending != paving::Bending::packed; });
   const BondType& bond = *bonds.at(draws.count("bond", 0, bonds.size() - 1));
   Sizes sizes = random_sizes(draws.of("sizes"), bond);
   make_rare(sizes, rare, draws.of("rare sizes"), bond);
@@ -220,6 +238,7 @@ DrawnScene random_scene(std::uint64_t number, std::uint64_t attempt, Kind kind, 
   toml += border_text(draws.of("border"));
   toml += hand_text(draws.of("hand"));
   toml += fmt::format("direction = {{{}}}\n", direction_text(draws.of("direction"), region));
+  if (kind == Kind::sized) toml += sized_text(draws.of("sized"), region);
   return {area.shape, std::move(toml)};
 }
 

@@ -17,8 +17,9 @@ struct DrawnScene {
 
 enum class Kind {
   usual,
-  rare  // stones larger than their area, joints wider than stones, corners that are hardly any, far from the origin, tiny and
-        // huge
+  rare,  // stones larger than their area, joints wider than stones, corners that are hardly any, far from the origin, tiny and
+         // huge
+  sized  // packed stones whose sizes follow a field, as stones, cobbles or scales
 };
 
 // The scene of `number`; every attempt is another one. `places` are real outlines among which it may choose.

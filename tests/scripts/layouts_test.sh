@@ -15,3 +15,4 @@ head -n 50 "$scratch/lines" | /usr/bin/python3 "$judge" --self-test
 "$program" --measured --first 941 --count 30 >"$scratch/measured"
 /usr/bin/python3 "$judge" --worst 3 <"$scratch/measured"
 /usr/bin/python3 "$judge" --run "$program" --first 1001 --count 50 --worst 3
+/usr/bin/python3 "$judge" --run "$program" --first 101 --count 20 --sized --worst 3

@@ -38,6 +38,27 @@ vec3 derivative_v(const BezierPatch& patch, double u, double v) {
   return weighted(patch, bernstein(u), bernstein_derivative(v));
 }
 
+vec3 unit_normal(const BezierPatch& patch, double u, double v) {
+  // Of the angle between the ways: below, rounding and the differences that patches are made by may turn the normal.
+  constexpr double least_sine = 1e-4;
+  constexpr int steps = 32;
+  vec3 best{0.0, 0.0, 0.0};
+  double best_sine = 0.0;
+  for (int step = 0; step < steps && best_sine < least_sine; ++step) {
+    const double inwards = static_cast<double>(step) / steps;
+    const double at_u = u + inwards * (0.5 - u);
+    const double at_v = v + inwards * (0.5 - v);
+    const vec3 by_u = derivative_u(patch, at_u, at_v);
+    const vec3 by_v = derivative_v(patch, at_u, at_v);
+    const vec3 normal = glm::cross(by_u, by_v);
+    const double length = glm::length(normal);
+    if (length <= best_sine * glm::length(by_u) * glm::length(by_v)) continue;
+    best = normal / length;
+    best_sine = length / (glm::length(by_u) * glm::length(by_v));
+  }
+  return best;
+}
+
 double height_at(const std::vector<BezierPatch>& patches, vec2 place) {
   double height = -std::numeric_limits<double>::infinity();
   double nearest2 = std::numeric_limits<double>::infinity();

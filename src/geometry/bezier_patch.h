@@ -25,6 +25,10 @@ vec3 point(const BezierPatch& patch, double u, double v);
 vec3 derivative_u(const BezierPatch& patch, double u, double v);
 vec3 derivative_v(const BezierPatch& patch, double u, double v);
 
+// derivative_u × derivative_v, of unit length. Where both run alike, as in the corner of a patch on a smooth rim, or one is 0,
+// that of the nearest place towards the middle where they do not; 0 of a patch without area.
+vec3 unit_normal(const BezierPatch& patch, double u, double v);
+
 // The height z of the patches at `place`: that of the nearest of 9 × 9 points of each patch; −∞ without patches.
 double height_at(const std::vector<BezierPatch>& patches, vec2 place);
 

@@ -37,10 +37,6 @@ Polygon uneven(int count, std::uint64_t number) {
   return polygon;
 }
 
-vec3 unit_normal(const BezierPatch& patch, double u, double v) {
-  return glm::normalize(glm::cross(derivative_u(patch, u, v), derivative_v(patch, u, v)));
-}
-
 vec3 on_border(const BezierPatch& patch, int border, double t) {
   switch (border) {
     case 0:

@@ -14,8 +14,6 @@ geometry::Polygon regular(int corners, double radius);
 // A convex polygon of `count` corners on an ellipse at uneven angles: all kinds of cut stones.
 geometry::Polygon uneven(int count, std::uint64_t number);
 
-vec3 unit_normal(const geometry::BezierPatch& patch, double u, double v);
-
 // A point of border 0 … 3 (v = 0, u = 1, v = 1, u = 0), and the normal there.
 vec3 on_border(const geometry::BezierPatch& patch, int border, double t);
 vec3 normal_on_border(const geometry::BezierPatch& patch, int border, double t);

@@ -45,7 +45,24 @@ glass = "tempered"
 impact = [{at_mm = [63, 84]}]
 [pane.shards]
 TOML
-scenes=("$scratch/herringbone.toml" "$scratch/bricks.toml" "$scratch/tempered.toml")
+cat >"$scratch/skin.toml" <<'TOML'
+[[pavement]]
+name = "skin"
+size_mm = [120, 90]
+stone_mm = [8, 8]
+joint_mm = 0.2
+cell = {form = "scale"}
+[[pavement]]
+name = "beach"
+size_mm = [900, 700]
+stone_mm = [70, 52]
+cell = {form = "cobble"}
+[pavement.size]
+near = 0.5
+far = 1.6
+distance_mm = 300
+TOML
+scenes=("$scratch/skin.toml" "$scratch/herringbone.toml" "$scratch/bricks.toml" "$scratch/tempered.toml")
 for name in shattered_window broken_window stone_path terrace_steps kinds_of_glass courtyard; do
   scenes+=("$root/scenes/$name.toml")
 done

@@ -127,7 +127,7 @@ void append_patch(StoneMesh& mesh, const BezierPatch& patch, std::array<std::siz
       const double u = static_cast<double>(i) / static_cast<double>(parts[0]);
       const double v = static_cast<double>(j) / static_cast<double>(parts[1]);
       vec3 p = geometry::point(patch, u, v);
-      const vec3 normal = glm::normalize(glm::cross(derivative_u(patch, u, v), derivative_v(patch, u, v)));
+      const vec3 normal = geometry::unit_normal(patch, u, v);
       mesh.bare.push_back(p);
       mesh.bare_normals.push_back(normal);
       const Lift lifted = lift(window, {p.x, p.y});

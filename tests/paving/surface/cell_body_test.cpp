@@ -7,6 +7,7 @@
 #include "geometry/segment_distance.h"
 #include "paving/laying.h"
 #include "paving/layout_quality.h"
+#include "paving/patch_seams.h"
 #include "paving/paved_areas.h"
 #include "paving/surface/laid_surface.h"
 
@@ -95,6 +96,25 @@ TEST(CellBody, NeighbouringPatchesMeetSmoothly) {
           EXPECT_LT(glm::length(geometry::derivative_u(one, 1.0, v) - geometry::derivative_u(next, 0.0, v)), 1e-6);
         }
       }
+    }
+  }
+}
+
+// Also in the corners of patches at the rim, which is smooth, so that both ways through them run alike.
+TEST(CellBody, HasANormalEverywhere) {
+  const auto length_at = [](const geometry::BezierPatch& patch, double u, double v) {
+    return glm::length(geometry::unit_normal(patch, u, v));
+  };
+  for (const CellForm form : {CellForm::cobble, CellForm::scale}) {
+    for (std::uint64_t stone = 0; stone < 50; ++stone) {
+      const auto patches = cell_patches(uneven(3 + static_cast<int>(stone) % 5, stone), draws_of(of_cells(form), stone));
+      for_each_point(patches, [&](const geometry::BezierPatch& patch, double u, double v) {
+        EXPECT_NEAR(length_at(patch, u, v), 1.0, 1e-9) << stone << ' ' << u << ' ' << v;
+      });
+      // At the rim it faces outwards: the corner of the first patch lies at the lower left of its cell.
+      const vec3 normal = geometry::unit_normal(patches.front(), 0.0, 0.0);
+      const vec3 beside = geometry::unit_normal(patches.front(), 0.1, 0.1);
+      EXPECT_GT(glm::dot(normal, beside), 0.8) << stone;
     }
   }
 }

@@ -52,6 +52,7 @@ class Coverage {
 
   std::vector<double> pixels() const {
     std::vector<double> result;
+    result.reserve(page_px_ * page_px_);
     for (std::size_t row = 0; row < page_px_; ++row) {
       double sum = 0.0;
       for (std::size_t column = 0; column < page_px_; ++column) {
@@ -141,6 +142,7 @@ class SvgRendering : public testing::Test {
     if (ending.status != 0 || ending.signal != 0) throw std::runtime_error(said);
     const relief::Raster picture = relief::read_raster((folder_ / "a.png").string());
     std::vector<double> alpha;
+    alpha.reserve(picture.width * picture.height);
     for (std::size_t i = 0; i < picture.width * picture.height; ++i) {
       alpha.push_back(picture.channels == 4 ? static_cast<double>(picture.values[4 * i + 3]) : 1.0);
     }

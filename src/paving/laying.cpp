@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "geometry/needles.h"
 #include "paving/bonds/bond.h"
 #include "paving/bonds/border.h"
 #include "paving/bonds/table.h"
@@ -247,8 +248,10 @@ void require_layable(const Pavement& pavement) {
   }
 }
 
-StoneLayout laid_stones(const Pavement& pavement, std::uint64_t seed) {
-  require_layable(pavement);
+StoneLayout laid_stones(const Pavement& asked, std::uint64_t seed) {
+  require_layable(asked);
+  Pavement pavement = asked;
+  pavement.area = geometry::without_needles(asked.area);
   const geometry::RegionIndex area(pavement.area);
   const SizeField sizes(pavement, area);
   SetOut set_out;

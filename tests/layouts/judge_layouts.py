@@ -89,8 +89,67 @@ class Stock:
 
 
 # Of bonds whose stones differ by design: how many times as long or wide, and as large, as stone_mm a stone may be (docs/bonds.md;
-# of arcs and fans, whose stones at the ends and feet are larger, by what the whole ones of many are, and some room).
-DIFFERING = {"packed": (1.5, 2.25), "crazy": (2.0, 2.0), "segmental_arc": (1.6, 1.5), "fan": (2.0, 1.6)}
+# of arcs, whose stones at the ends are larger, by what the whole ones of many are, and some room).
+DIFFERING = {"packed": (1.5, 2.25), "crazy": (2.0, 2.0), "segmental_arc": (1.6, 1.5)}
+
+
+def fan_faces(pitch, joint, span):
+    """(face, direction along its ring) of each stone of a fan, by what docs/bonds.md tells: rings about its foot, at (0, 0), which end on
+    the backs of the two fans before it, arcs of the fan's own radius. Lines have corners where perpends end on them, no others."""
+    radius = span / math.sqrt(3)
+    rings = max(1, math.floor(radius / pitch[1] + 0.5))
+    radii = [radius * k / rings for k in range(rings + 1)]
+
+    def polar(r, angle):
+        return numpy.array([r * math.sin(angle), r * math.cos(angle)])
+
+    def perpends(k):
+        middle = (radii[k] + radii[k + 1]) / 2
+        half = math.acos(-middle / radius / 2) - math.pi / 3
+        wanted = 2 * half * middle / pitch[0]
+        like = 2 * math.floor((wanted - 1 - k % 2) / 2 + 0.5) + 1 + k % 2
+        count = max(1, like if like and abs(wanted / like - 1) <= 0.18 else math.floor(wanted + 0.5))
+        return [half * (2 * i / count - 1) for i in range(1, count)]
+
+    at = [perpends(k) for k in range(rings)]
+    # Of each ring's lower line, where it ends on the back of the fan to its right: as an angle about the foot of that one.
+    landings = [math.pi / 3 - 2 * (math.pi / 2 - math.acos(r / radius / 2)) for r in radii]
+    stops = [sorted(at[k] + (at[k - 1] if k else [])) for k in range(rings)]
+    stops.append(sorted(at[-1] + [x for k in range(1, rings) for x in (landings[k], -landings[k])] + [0.0]))
+
+    def on_side(angle, sign):
+        x, y = numpy.array([span / 2, -radius / 2]) + polar(radius, -angle)
+        return numpy.array([sign * x, y])
+
+    for k in range(rings):
+        for i in range(len(at[k]) + 1):
+            left, right = i == 0, i == len(at[k])
+            low, high = -math.pi if left else at[k][i - 1], math.pi if right else at[k][i]
+            points = [on_side(landings[k], -1) if left else polar(radii[k], low)]
+            points += [polar(radii[k], x) for x in stops[k] if low < x < high]
+            points.append(on_side(landings[k], 1) if right else polar(radii[k], high))
+            back = [x for x in stops[-1] if min(landings[k:k + 2]) < x < max(landings[k:k + 2])]
+            if right:
+                points += [on_side(x, 1) for x in sorted(back, reverse=landings[k] > landings[k + 1])]
+            points.append(on_side(landings[k + 1], 1) if right else polar(radii[k + 1], high))
+            points += [polar(radii[k + 1], x) for x in reversed(stops[k + 1]) if low < x < high]
+            points.append(on_side(landings[k + 1], -1) if left else polar(radii[k + 1], low))
+            if left:
+                points += [on_side(x, -1) for x in sorted(back, reverse=landings[k] < landings[k + 1])]
+            tile = Polygon(points).buffer(0)
+            x, y = tile.centroid.x, tile.centroid.y
+            face = tile.buffer(-joint / 2, join_style=2, mitre_limit=MITRE)
+            for part in getattr(face, "geoms", [face]):
+                if not part.is_empty:
+                    yield part, math.atan2(-x, y)
+
+
+def largest_of(faces):
+    sides, area = numpy.zeros(2), 0.0
+    for face, angle in faces:
+        u, v = extents(numpy.array(face.exterior.coords), numpy.array([angle]))
+        sides, area = numpy.maximum(sides, [u[0], v[0]]), max(area, face.area)
+    return Stock([tuple(sides)], area)
 
 
 # Of whose bonds each stone is stone_mm; of packed ones in one direction.
@@ -111,6 +170,9 @@ def field_stock(layout):
         return Stock([(k * pitch[0] - joint, l * pitch[1] - joint) for k, l in ((3, 2), (2, 3))]), True
     if bond == "chevron":
         return Stock([(a + b, b)], a * b), True
+    if bond == "fan":
+        given = re.search(r"^bond_span_mm = ([0-9.]+)", layout["toml"], re.M)
+        return largest_of(fan_faces(pitch, joint, float(given[1]) if given else 12 * pitch[0])), False
     if bond in DIFFERING and (bond != "packed" or layout["field"] != "constant"):
         sides, areas = DIFFERING[bond]
         return Stock([(sides * a, sides * b)], areas * a * b), False

@@ -76,6 +76,19 @@ TEST(BareSpot, IsTheWedgeBesideALeaningSide) {
   EXPECT_NEAR(widest(paved, layout), 2.0 * in, 0.05);
 }
 
+// Between two rows of a border that meet at a slant, what they leave goes on in a needle along one of them. It was taken for a
+// strip, and nothing was laid.
+TEST(BareSpot, IsNoneWhereWhatTheBorderLeavesEndsInANeedle) {
+  Pavement tip = field(1, 1);
+  tip.area = {{{-10631.807, -15570.004}, {-12168.386, -15660.639}, {-11079.655, -15775.789}}, {}};
+  tip.stone_mm = {50.2, 50.2};
+  tip.joint_mm = 0.0;
+  tip.bonding.bond = paving::Bond::herringbone;
+  tip.border.course = paving::BorderCourse::stretcher;
+  tip.direction = paving::RadialDirection{{-10922.557, -15746.599}};
+  EXPECT_LT(widest(tip, paving::laid_stones(tip, 894)), 0.1 * 50.2);
+}
+
 // Rectangles at random in squares of 100 mm: grown, with their corners, they are rectangles again, so that the room about a
 // place is known.
 TEST(BareSpot, IsAsWideAsASearchFinds) {

@@ -207,6 +207,24 @@ TEST(Laying, BearsOddAreas) {
   }
 }
 
+// A hole whose tip is narrower than the lattice, so that a stone of the border lost it when it was cut.
+TEST(Laying, StaysOutsideANeedle) {
+  const vec2 tip{-6252.954, 1379.166};
+  Pavement paved = pavement(
+      {{{-7083.728, -156.727}, {-6928.916, -112.814}, {-6761.130, 60.560},   {-6587.703, 355.817},  {-6416.214, 760.055},
+        {-6254.159, 1255.606}, {-6108.619, 1820.811}, {-5985.957, 2430.970}, {-5891.532, 3059.413}, {-5829.472, 3678.677},
+        {-5802.488, 4261.696}, {-5811.761, 4782.989}, {-5856.884, 5219.773}, {-5935.887, 5552.959}, {-6045.315, 5767.985},
+        {-6180.387, 5855.453}, {-6088.781, 5774.516}, {-6020.920, 5565.735}, {-5979.768, 5238.237}, {-5967.124, 4806.332},
+        {-5983.541, 4288.899}, {-6028.301, 3708.552}, {-6099.448, 3090.653}, {-6193.873, 2462.209}, {-6307.449, 1850.686},
+        {-6435.212, 1282.810}, {-6571.577, 783.399},  {-6710.586, 374.281},  {-6846.163, 73.336},   {-6972.382, -106.283}},
+       {{tip, {-6301.004, 1382.811}, {-6301.016, 1382.829}}}},
+      71.7, 7.4, straight(45));
+  paved.stone_mm.y = 30.4;
+  paved.bonding.bond = Bond::stack;
+  paved.border.course = BorderCourse::soldier;
+  for (const Stone& stone : laid_stones(paved, 907).stones) EXPECT_FALSE(geometry::contains_strictly(stone.outline_mm, tip));
+}
+
 TEST(Laying, RefusesSizesThatMeanNothing) {
   const geometry::Region area = path_area();
   EXPECT_THROW(static_cast<void>(laid_stones(pavement(area, 0, 8, straight(0)), 1)), InputError);

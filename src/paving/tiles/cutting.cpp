@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "core/parallel.h"
@@ -48,6 +49,19 @@ constexpr double most_trimmed = 0.06;
 // most.
 constexpr double least_face = 0.004;
 
+// What is left of a cell without what is thinner than `thinnest_scrap`: nothing of a strip. What would be a bare spot stays,
+// however long a needle it ends in; that is taken off, so that the other sides stay as those of the neighbours are.
+std::vector<Region> without_strips(const Region& region, double longer_mm) {
+  const double thinnest_mm = thinnest_scrap * longer_mm;
+  if (stoutness_mm(region.outline) >= 2.0 * thinnest_mm) return {region};
+  if (geometry::offset(region, -0.25 * widest_bare * longer_mm).empty()) return {};
+  std::vector<Region> broad;
+  for (const Region& core : geometry::offset(region, -0.5 * thinnest_mm)) {
+    std::ranges::move(geometry::offset(core, 0.5 * thinnest_mm + hairline_mm), std::back_inserter(broad));
+  }
+  return geometry::difference(region, geometry::difference(region, broad));
+}
+
 std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const Region& region, const RegionIndex& index,
                                   const StoneSize& unscaled) {
   Polygon whole = geometry::cleaned(cells.outline(cell));
@@ -63,12 +77,13 @@ std::vector<Piece> pieces_of_cell(const Cells& cells, std::uint32_t cell, const 
   std::vector<Piece> pieces;
   const double full = geometry::area(whole);
   for (const Region& inside : geometry::intersection(whole, region)) {
-    if (geometry::area(inside) < least_scrap * full) continue;
-    if (stoutness_mm(inside.outline) < 2.0 * thinnest_scrap * size.longer_mm) continue;
-    for (Polygon& outline : without_holes(inside)) {
-      const double left = geometry::area(outline);
-      const bool cut = full - left > size.rounding_mm2 && (outline.size() != whole.size() || left < whole_share * full);
-      pieces.push_back({std::move(outline), cell, part || cut, axis, factor});
+    for (const Region& broad : without_strips(inside, size.longer_mm)) {
+      if (geometry::area(broad) < least_scrap * full) continue;
+      for (Polygon& outline : without_holes(broad)) {
+        const double left = geometry::area(outline);
+        const bool cut = full - left > size.rounding_mm2 && (outline.size() != whole.size() || left < whole_share * full);
+        pieces.push_back({std::move(outline), cell, part || cut, axis, factor});
+      }
     }
   }
   return pieces;

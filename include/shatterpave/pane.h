@@ -53,7 +53,7 @@ std::string_view name_of(CrackEnd::At at);
 /// A crack as a polyline in the plane of the pane. Cracks of a pane do not cross: two meet only where one starts or ends on the
 /// other, or where they start together.
 struct Crack {
-  int id = 0;                          ///< Its index in Pane::cracks.
+  int id = 0;                          ///< Its index in Pane::cracks, and then in Pane::far_cracks.
   int impact = 0;                      ///< Index of the impact it belongs to.
   CrackKind kind = CrackKind::radial;  ///< What it is.
   std::vector<Point> points_mm;        ///< From start to tip: two or more, distinct from one to the next, in whole µm.
@@ -135,6 +135,9 @@ struct Pane {
   std::vector<Impact> impacts;  ///< In the order in which they happened.
   std::vector<Crack> cracks;    ///< By id.
   std::vector<Shard> shards;    ///< None unless the scene asks for them.
+  /// Of laminated glass without shards: those of the sheet away from the impact. Their ids follow on those of `cracks`, which
+  /// they cross.
+  std::vector<Crack> far_cracks;
 
   /// Member by member.
   bool operator==(const Pane&) const = default;

@@ -37,12 +37,19 @@ struct Photograph {
 struct BrokenPane {
   glass::Pane pane;
   glass::CrackNetwork network;
+  glass::CrackNetwork far_network{};   // of the far sheet of laminated glass, with numbers that follow on; empty: there is none
   std::vector<glass::Shard> shards{};  // where pane.shards asks for them
-  glass::CrackSurfaces surfaces{};     // none unless the pane asks for sheets
+  glass::CrackSurfaces surfaces{};     // none unless the pane asks for sheets; of both networks
   std::optional<Photograph> photograph{};
   // Where the shards that leave the pane are at each frame of the model's shot, by id; empty: nothing moves.
   std::map<std::string, std::vector<glass::ShardPlace>> paths{};
   std::string stem{};  // of the names of its files; empty: its name
+
+  // Of either network.
+  const glass::Crack& crack(int id) const {
+    const bool is_far = !far_network.cracks.empty() && id >= far_network.cracks.front().id;
+    return (is_far ? far_network : network).crack(id);
+  }
 };
 
 struct PavedArea {

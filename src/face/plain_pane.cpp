@@ -101,10 +101,12 @@ ShardSurface plain(glass::ShardSurface surface) {
 }
 
 Pane plain(const exporting::BrokenPane& broken) {
-  Pane pane{broken.pane.name, plain(broken.pane.outline_mm), broken.pane.thickness_mm, {}, {}, {}};
+  Pane pane{broken.pane.name, plain(broken.pane.outline_mm), broken.pane.thickness_mm, {}, {}, {}, {}};
   for (const glass::ImpactCounts& counts : broken.network.impacts) pane.impacts.push_back(plain(counts));
   pane.cracks.reserve(broken.network.cracks.size());
   for (const glass::Crack& crack : broken.network.cracks) pane.cracks.push_back(plain(crack));
+  pane.far_cracks.reserve(broken.far_network.cracks.size());
+  for (const glass::Crack& crack : broken.far_network.cracks) pane.far_cracks.push_back(plain(crack));
   pane.shards.reserve(broken.shards.size());
   for (const glass::Shard& shard : broken.shards) pane.shards.push_back(plain(shard));
   return pane;

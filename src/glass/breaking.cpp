@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -10,6 +11,7 @@
 #include "glass/dicing/dice.h"
 #include "glass/growth/growth.h"
 #include "glass/map/growth_clock.h"
+#include "glass/sheets.h"
 
 namespace shatterpave::glass {
 
@@ -41,6 +43,14 @@ void require_bendable(const Pane& pane) {
                                       1.0 / most_bend_of_thickness, 1.0 / part));
 }
 
+void require_film(const Pane& pane) {
+  const auto* laminated = std::get_if<Laminated>(&pane.glass);
+  if (laminated == nullptr || !laminated->film_mm || *laminated->film_mm <= 0.5 * pane.thickness_mm) return;
+  throw InputError(
+      Place{"", 0, 0, pane.name + ".laminate.film_mm"},
+      fmt::format("expected at most half the thickness, {:.6g} mm, got {}", 0.5 * pane.thickness_mm, *laminated->film_mm));
+}
+
 // Which cracks of laminated glass run through both sheets.
 void draw_through(const Pane& pane, double part, std::uint64_t seed, CrackNetwork& network) {
   const Id id = Id(pane.name).child("through");
@@ -50,11 +60,28 @@ void draw_through(const Pane& pane, double part, std::uint64_t seed, CrackNetwor
   }
 }
 
+// The far sheet as a pane: with so many fewer cracks, and draws of its own.
+Pane far_pane(const Pane& pane, const CrackNetwork& near) {
+  const double share = std::get<Laminated>(pane.glass).far_cracks;
+  const auto fewer = [&](int count) { return static_cast<int>(std::lround(share * count)); };
+  Pane far = pane;
+  far.name += " far";
+  far.rings.count = fewer(pane.rings.count);
+  for (std::size_t i = 0; i < far.impacts.size(); ++i) {
+    const ImpactCounts& counts = near.impacts[i];
+    far.impacts[i].radial_count = std::max(1, fewer(counts.radial_count));
+    far.impacts[i].large_count = std::min(*far.impacts[i].radial_count, fewer(counts.large_count));
+    far.impacts[i].circular_count = fewer(counts.circular_count);
+  }
+  return far;
+}
+
 }  // namespace
 
 void require_breakable(const Pane& pane) {
   require_impacts_inside(pane);
   require_bendable(pane);
+  require_film(pane);
   if (pane.given_cracks) return;
   std::visit(Overloaded{[&](const Annealed&) { require_few_steps(pane); }, [&](const Laminated&) { require_few_steps(pane); },
                         [&](const Tempered& glass) { require_few_fragments(pane, glass); }},
@@ -70,13 +97,28 @@ CrackNetwork broken(const Pane& pane, std::uint64_t seed) {
   }
   const auto laminated = [&](const Laminated& glass) {
     CrackNetwork network = grown_cracks(pane, seed);
-    draw_through(pane, glass.through, seed, network);
+    draw_through(pane, has_two_sheets(pane) ? 0.0 : glass.through, seed, network);
     return network;
   };
   CrackNetwork network = std::visit(Overloaded{[&](const Annealed&) { return grown_cracks(pane, seed); }, laminated,
                                                [&](const Tempered& glass) { return diced_pane(pane, glass, seed); }},
                                     pane.glass);
   if (pane.time_us) settle_times(network);
+  return network;
+}
+
+CrackNetwork broken_far_sheet(const Pane& pane, const CrackNetwork& near, std::uint64_t seed) {
+  if (!has_two_sheets(pane) || std::get<Laminated>(pane.glass).far_cracks == 0.0) return {};
+  CrackNetwork network = grown_cracks(far_pane(pane, near), seed);
+  draw_through(pane, 0.0, seed, network);
+  if (pane.time_us) settle_times(network);
+  const auto first = static_cast<int>(near.cracks.size());
+  for (Crack& crack : network.cracks) {
+    crack.id += first;
+    for (CrackEnd* end : {&crack.start, &crack.end}) {
+      if (end->crack) *end->crack += first;
+    }
+  }
   return network;
 }
 

@@ -176,12 +176,16 @@ struct Annealed {
   bool operator==(const Annealed&) const = default;
 };
 
-// Two sheets that a film holds together. By eye.
+// Two sheets that a film holds together. The film stops cracks, so each sheet breaks by itself, and what is seen of the two
+// crosses (glass/sheets.h). By eye but for the film.
 struct Laminated {
   static constexpr std::string_view name = "laminated";
 
-  double through = 0.35;         // part of the cracks that run through both sheets
-  double milky_width_mm = 12.0;  // of the white rim about the crushed zone
+  double far_cracks = 0.6;        // of a pane without shards: radials and rings of the sheet away from the impact, as a part of
+                                  // those of the sheet that is hit, 0 … 1
+  std::optional<double> film_mm;  // how thick the film is; else that of windscreens (see sheet_of)
+  double through = 0.35;          // of a pane with shards: part of the cracks that run through both sheets, and so part pieces
+  double milky_width_mm = 12.0;   // of the white rim about the crushed zone
 
   bool operator==(const Laminated&) const = default;
 };

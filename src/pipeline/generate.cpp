@@ -1,6 +1,7 @@
 #include "pipeline/generate.h"
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -23,13 +24,17 @@ namespace {
 // What is made of the cracks is made of all that come to be, and shows what of them is there at the pane's time.
 void break_pane(exporting::BrokenPane& broken, std::uint64_t seed) {
   broken.network = glass::broken(broken.pane, seed);
+  broken.far_network = glass::broken_far_sheet(broken.pane, broken.network, seed);
   if (broken.pane.shards) {
     broken.shards = glass::shards(broken.pane, broken.network, seed);
   } else if (broken.pane.crack_body == glass::CrackBody::sheet) {
     broken.surfaces = glass::crack_surfaces(broken.pane, broken.network, seed);
+    std::ranges::move(glass::far_surfaces(broken.pane, broken.network, broken.far_network, seed),
+                      std::back_inserter(broken.surfaces.surfaces));
   }
   if (!broken.pane.time_us) return;
   broken.network = glass::network_at(broken.pane, broken.network, *broken.pane.time_us);
+  broken.far_network = glass::network_at(broken.pane, broken.far_network, *broken.pane.time_us);
   broken.pane.impacts.resize(std::min(broken.pane.impacts.size(), broken.network.impacts.size()));
 }
 

@@ -258,7 +258,7 @@ def check_pane(pane, elements):
 
 
 def check_cracks(pane, elements, local):
-    cracks = {str(crack["id"]): crack for crack in pane["cracks"]}
+    cracks = {str(crack["id"]): crack for crack in [*pane["cracks"], *pane.get("far_cracks", [])]}
     found = {element.id: element for element in elements.values() if element.kind.startswith("crack")}
     # Short ones between others are left out where there is no room.
     large = {key for key, crack in cracks.items() if crack["kind"] == "large"}

@@ -84,8 +84,11 @@ void visit_pairs(std::vector<Box> group, vec3 low, vec3 high, int depth,
   group.clear();
   vec3 high_below = high;
   vec3 low_above = low;
-  (by_x ? high_below.x : high_below.y) = cut;
-  (by_x ? low_above.x : low_above.y) = cut;
+  // Boxes that reach out of the part may have their middles outside of it.
+  double& below_ends = by_x ? high_below.x : high_below.y;
+  double& above_begins = by_x ? low_above.x : low_above.y;
+  below_ends = std::min(below_ends, cut);
+  above_begins = std::max(above_begins, cut);
   visit_pairs(std::move(below), low, high_below, depth + 1, visit);
   visit_pairs(std::move(above), low_above, high, depth + 1, visit);
 }

@@ -105,8 +105,8 @@ class QuantityRows {
   std::string pavement_;
 };
 
-void put_cracks(Buffer& out, const BrokenPane& broken) {
-  for (const glass::Crack& crack : broken.network.cracks) {
+void put_cracks(Buffer& out, const BrokenPane& broken, const glass::CrackNetwork& network) {
+  for (const glass::Crack& crack : network.cracks) {
     for (std::size_t i = 0; i < crack.points_mm.size(); ++i) {
       const vec2 p = crack.points_mm[i];
       put(out, "{},{},{},{},{},{},{}\n", broken.pane.name, crack.id, name_of(crack.kind), crack.impact, i, rounded(p.x, 3),
@@ -133,7 +133,10 @@ std::vector<OutputFile> csv_files(const Model& model) {
     put_stones(stones, model.pavements[i], quantities[i]);
     rows.put_pavement(model.pavements[i], quantities[i]);
   }
-  for (const BrokenPane& pane : model.panes) put_cracks(cracks, pane);
+  for (const BrokenPane& pane : model.panes) {
+    put_cracks(cracks, pane, pane.network);
+    put_cracks(cracks, pane, pane.far_network);
+  }
   return {{model.name + "-stones.csv", fmt::to_string(stones)},
           {model.name + "-quantities.csv", fmt::to_string(items)},
           {model.name + "-cracks.csv", fmt::to_string(cracks)}};

@@ -216,7 +216,14 @@ void put_pane(Buffer& out, const BrokenPane& broken) {
   put(out, ",\n  \"impacts\":");
   put_list(out, broken.network.impacts, ",\n   ", [&](const glass::ImpactCounts& impact) { put_impact(out, impact); });
   put(out, ",\n  \"cracks\":");
-  put_list(out, broken.network.cracks, ",\n   ", [&](const glass::Crack& crack) { put_crack(out, crack); });
+  const auto put_cracks = [&](const glass::CrackNetwork& network) {
+    put_list(out, network.cracks, ",\n   ", [&](const glass::Crack& crack) { put_crack(out, crack); });
+  };
+  put_cracks(broken.network);
+  if (!broken.far_network.cracks.empty()) {
+    put(out, ",\n  \"far_cracks\":");
+    put_cracks(broken.far_network);
+  }
   if (broken.pane.shards) {
     put(out, ",\n  \"shards\":");
     put_list(out, broken.shards, ",\n   ", [&](const glass::Shard& shard) { put_shard(out, shard); });

@@ -94,9 +94,9 @@ void append_declaration(std::string& text, const std::string& name, const std::v
 std::string tube_text(const shapes::Tube& tube, const geometry::Bend& bend) {
   if (!bend.is_flat()) return closed_mesh(shapes::bent(shapes::tube_mesh(tube), bend, shapes::bent_pane_bound_mm));
   std::string text = "   cylinder { ";
-  append_standing_point(text, {tube.a_mm, 0.0});
+  append_standing_point(text, {tube.a_mm, tube.z_mm});
   text += ", ";
-  append_standing_point(text, {tube.b_mm, 0.0});
+  append_standing_point(text, {tube.b_mm, tube.z_mm});
   text += ", ";
   append_number(text, tube.radius_mm);
   return text + " }\n";
@@ -239,7 +239,7 @@ IncludeHeader header(const BrokenPane& broken, const std::string& prefix, Body b
   header.prefix = prefix;
   header.description = {
       fmt::format("Broken pane of glass \"{}\": {} cracks as {} of air in a slab.", broken.pane.name,
-                  broken.network.cracks.size(), body == Body::tubes ? "tubes" : "thin gaps"),
+                  broken.network.cracks.size() + broken.far_network.cracks.size(), body == Body::tubes ? "tubes" : "thin gaps"),
       "1 unit = 1 mm. The pane stands upright as it is drawn in the scene file: x to the right, y up,",
       "the middle of its thickness at z = 0. Place it with object { … translate … }.",
       fmt::format("Needs max_trace_level 12 or more in global_settings: each {} and each face of the slab refracts.",
@@ -314,7 +314,7 @@ OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
   if (body == Body::sheets) {
     groups = crack_groups(broken, prefix);
   } else {
-    const shapes::TubedCracks cracks = shapes::tubed_cracks(broken.pane, broken.network);
+    const shapes::TubedCracks cracks = shapes::tubed_cracks(broken.pane, broken.network, broken.far_network);
     zones = cracks.zones;
     if (!cracks.tubes.empty())
       groups.push_back({prefix + "_Cracks", std::string(own_tubes), tube_texts(cracks.tubes, glass::bend_of(broken.pane))});

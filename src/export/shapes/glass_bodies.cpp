@@ -68,7 +68,7 @@ class CrackBodies {
   }
   void end() {
     if (crack_ >= 0) {
-      const glass::CrackKind kind = broken_.network.crack(crack_).kind;
+      const glass::CrackKind kind = broken_.crack(crack_).kind;
       take_({fmt::format("{}.crack-{}", broken_.pane.name, crack_),
              fmt::format("crack {}", name_of(kind)),
              {{material_, std::move(mesh_)}},
@@ -128,7 +128,7 @@ void append_whole(const BrokenPane& broken, std::size_t first_material, const Ta
     append_gaps(broken, first_material, take);
     return;
   }
-  const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
+  const TubedCracks cracks = tubed_cracks(broken.pane, broken.network, broken.far_network);
   append_tubes(broken, cracks.tubes, first_material + 1, take);
   append_crushed(broken, cracks.zones, first_material + 2, take);
 }

@@ -129,7 +129,7 @@ Mesh gap_mesh(const glass::CrackSurface& surface) {
 }
 
 Mesh tube_mesh(const Tube& tube) {
-  return round_body({tube.a_mm, 0.0}, {tube.b_mm, 0.0}, {0.0, 0.0, 1.0}, tube.radius_mm, tube_sides);
+  return round_body({tube.a_mm, tube.z_mm}, {tube.b_mm, tube.z_mm}, {0.0, 0.0, 1.0}, tube.radius_mm, tube_sides);
 }
 
 Mesh crushed_mesh(const glass::ImpactZone& zone, double half_mm) {

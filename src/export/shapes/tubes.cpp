@@ -17,6 +17,7 @@
 #include "geometry/polygon.h"
 #include "geometry/segment_index.h"
 #include "glass/map/crack_paths.h"
+#include "glass/sheets.h"
 
 namespace shatterpave::exporting::shapes {
 
@@ -180,9 +181,10 @@ ImpactShape impact_shape(vec2 centre, int count, double thickness_mm, double lar
 std::vector<ImpactShape> impact_shapes(const glass::Pane& pane, const glass::CrackNetwork& network) {
   const std::vector<int> counts = radial_counts(network);
   const std::vector<double> limits = glass::zone_limits_mm(pane, network);
+  const double thickness = glass::sheet_of(pane, glass::Ply::near).thickness_mm;
   std::vector<ImpactShape> shapes;
   for (std::size_t i = 0; i < network.impacts.size(); ++i) {
-    shapes.push_back(impact_shape(network.impacts[i].at_mm, counts[i], pane.thickness_mm, limits[i]));
+    shapes.push_back(impact_shape(network.impacts[i].at_mm, counts[i], thickness, limits[i]));
   }
   return shapes;
 }
@@ -351,12 +353,19 @@ std::vector<Tube> trimmed_tubes(const glass::Pane& pane, const glass::CrackNetwo
 
 }  // namespace
 
-TubedCracks tubed_cracks(const glass::Pane& pane, const glass::CrackNetwork& network) {
+TubedCracks tubed_cracks(const glass::Pane& pane, const glass::CrackNetwork& network, const glass::CrackNetwork& far) {
   const std::vector<ImpactShape> shapes = impact_shapes(pane, network);
   TubedCracks result;
   for (const ImpactShape& shape : shapes) result.zones.push_back(shape.zone);
   const std::vector<geometry::Region> slab{{pane.outline_mm, {}}};
-  result.tubes = trimmed_tubes(pane, network, slab, shapes);
+  const auto add = [&](const glass::CrackNetwork& of_sheet, glass::Ply ply) {
+    for (Tube& tube : trimmed_tubes(pane, of_sheet, slab, shapes)) {
+      tube.z_mm = glass::sheet_of(pane, ply).middle_mm;
+      result.tubes.push_back(tube);
+    }
+  };
+  add(network, glass::Ply::near);
+  if (!far.cracks.empty()) add(far, glass::Ply::far);
   return result;
 }
 

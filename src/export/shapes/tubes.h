@@ -22,12 +22,13 @@ namespace shatterpave::exporting::shapes {
 // rounding of the ends cannot close it, and far below a pixel.
 inline constexpr double tube_clearance_mm = 0.01;
 
-// A cylinder with flat ends, its axis in the middle plane of the pane.
+// A cylinder with flat ends, its axis in the middle plane of its sheet of glass.
 struct Tube {
   vec2 a_mm{0.0, 0.0};  // on the lattice
   vec2 b_mm{0.0, 0.0};
   double radius_mm = 0.0;
-  int crack = 0;  // id
+  int crack = 0;      // id
+  double z_mm = 0.0;  // of the axis
 };
 
 struct TubedCracks {
@@ -35,13 +36,14 @@ struct TubedCracks {
   std::vector<Tube> tubes;               // those of one crack in succession
 };
 
-// Guarantees, in mm, with c = tube_clearance_mm less 2 lattice steps:
+// The tubes of a network, and of the far sheet of laminated glass, whose cracks are `far`; as thick as the sheets ask for.
+// Guarantees for each sheet, in mm, with c = tube_clearance_mm less 2 lattice steps:
 //   1. the axes of two tubes are farther apart than the sum of their radii + c; or they are neighbours on one crack and lie
 //      on two sides of the plane that bisects their angle;
 //   2. a tube is farther than its radius + c from the outline, and its axis lies within;
 //   3. zones overlap neither one another nor a tube, and lie within the outline.
-// REQUIRES: pane.thickness_mm > 0; the network is that of the pane.
-TubedCracks tubed_cracks(const glass::Pane& pane, const glass::CrackNetwork& network);
+// REQUIRES: pane.thickness_mm > 0; the networks are those of the pane.
+TubedCracks tubed_cracks(const glass::Pane& pane, const glass::CrackNetwork& network, const glass::CrackNetwork& far = {});
 
 // The tubes that lie within bodies of glass of the pane, in place of its outline: where a body is on both sides of a crack.
 // Guarantees as above, for 2. with the borders of the bodies, and each tube within one of them. Zones are left free, but not

@@ -61,6 +61,7 @@ std::string crack_style(const BrokenPane& broken) {
   if (has(glass::CrackKind::dice)) more += ".dice{stroke:#222}\n";
   if (has(glass::CrackKind::rung)) more += ".rung{stroke:#b03a2e}\n";
   if (has(glass::CrackKind::chip)) more += ".chip{stroke:#666}\n";
+  if (!broken.far_network.cracks.empty()) more += "#far-cracks{opacity:0.4}\n";
   return fmt::format(
       ".crack{{fill:none;stroke-linejoin:round;stroke-linecap:round;stroke-width:{}}}\n.large{{stroke:#000;stroke-width:{}}}\n"
       ".radial{{stroke:#444}}\n.circular{{stroke:#b03a2e}}\n{}",
@@ -72,13 +73,19 @@ OutputFile pane_drawing(const Model& model, const BrokenPane& broken) {
   put_head(out, broken.pane.outline_mm, broken.pane.name, crack_style(broken));
   put(out, "<path class=\"outline\" id=\"outline\" d=\"");
   put_path(out, broken.pane.outline_mm);
-  put(out, "\"/>\n<g id=\"cracks\">\n");
-  for (const glass::Crack& crack : broken.network.cracks) {
-    put(out, "<polyline class=\"crack {}\" id=\"crack-{}\" points=\"", name_of(crack.kind), crack.id);
-    put_points(out, crack.points_mm);
-    put(out, "\"/>\n");
-  }
-  put(out, "</g>\n</svg>\n");
+  put(out, "\"/>\n");
+  const auto put_cracks = [&](std::string_view group, const glass::CrackNetwork& network) {
+    put(out, "<g id=\"{}\">\n", group);
+    for (const glass::Crack& crack : network.cracks) {
+      put(out, "<polyline class=\"crack {}\" id=\"crack-{}\" points=\"", name_of(crack.kind), crack.id);
+      put_points(out, crack.points_mm);
+      put(out, "\"/>\n");
+    }
+    put(out, "</g>\n");
+  };
+  if (!broken.far_network.cracks.empty()) put_cracks("far-cracks", broken.far_network);
+  put_cracks("cracks", broken.network);
+  put(out, "</svg>\n");
   return {fmt::format("{}-{}.svg", model.name, broken.pane.name), fmt::to_string(out)};
 }
 

@@ -113,7 +113,7 @@ Corridors::Corridors(const Pane& pane, const CrackNetwork& network, const std::v
   for (std::size_t i = 0; i < paths_.size(); ++i) {
     CrackPath& path = paths_[i];
     const bool from_impact = path.start.at == CrackEnd::At::impact;
-    own_zones_.push_back(from_impact ? network.cracks[static_cast<std::size_t>(path.crack)].impact : -1);
+    own_zones_.push_back(from_impact ? network.crack(path.crack).impact : -1);
     path.points_mm = thinned(path.points_mm);
     if (from_impact) path.points_mm = outside(path.points_mm, zones_[static_cast<std::size_t>(own_zones_[i])]);
     // The border of a flake hugs the crack that it leaves and comes back to: it has no room there, and would take it from that
@@ -129,7 +129,7 @@ Corridors::Corridors(const Pane& pane, const CrackNetwork& network, const std::v
   for (std::size_t k = 0; k < pane.outline_mm.size(); ++k) {
     add_piece({outline, 0.0, pane.outline_mm[k], pane.outline_mm[(k + 1) % pane.outline_mm.size()]});
   }
-  add_joints(network.cracks.size());
+  add_joints(network);
 }
 
 double Corridors::along_mm(std::size_t path, vec2 point) const { return along_nearest(paths_[path].points_mm, point); }
@@ -160,17 +160,17 @@ double Corridors::edge_sine(std::size_t path, bool at_end) const {
   return approach_sine(path, at_end, sides_near(tip - reach, tip + reach));
 }
 
-void Corridors::add_joints(std::size_t crack_count) {
-  std::vector<std::size_t> path_of(crack_count, 0);
+void Corridors::add_joints(const CrackNetwork& network) {
+  std::vector<std::size_t> path_of(network.cracks.size(), 0);
   for (std::size_t i = 0; i < paths_.size(); ++i) {
-    path_of[static_cast<std::size_t>(paths_[i].crack)] = i;
-    path_of[static_cast<std::size_t>(paths_[i].other_arm.value_or(paths_[i].crack))] = i;
+    path_of[network.index_of(paths_[i].crack)] = i;
+    path_of[network.index_of(paths_[i].other_arm.value_or(paths_[i].crack))] = i;
   }
   joints_of_.resize(paths_.size());
   for (std::size_t i = 0; i < paths_.size(); ++i) {
     edge_sines_.emplace_back(edge_sine(i, false), edge_sine(i, true));
-    if (paths_[i].start.crack) add_joint(i, false, path_of[static_cast<std::size_t>(*paths_[i].start.crack)]);
-    if (paths_[i].end.crack) add_joint(i, true, path_of[static_cast<std::size_t>(*paths_[i].end.crack)]);
+    if (paths_[i].start.crack) add_joint(i, false, path_of[network.index_of(*paths_[i].start.crack)]);
+    if (paths_[i].end.crack) add_joint(i, true, path_of[network.index_of(*paths_[i].end.crack)]);
   }
   leave_hooks();
 }

@@ -77,7 +77,7 @@ class Corridors {
 
   void add_piece(const Piece& piece);
   void add_joint(std::size_t path, bool at_end, std::size_t on);
-  void add_joints(std::size_t crack_count);
+  void add_joints(const CrackNetwork& network);
   void leave_hooks();
   double edge_sine(std::size_t path, bool at_end) const;
   void cut_out_exempt(std::size_t path, double along, std::size_t other, std::vector<Interval>& parts) const;

@@ -18,6 +18,7 @@
 #include "glass/gaps/crack_walls.h"
 #include "glass/gaps/impact_zones.h"
 #include "glass/map/growth_clock.h"
+#include "glass/sheets.h"
 
 namespace shatterpave::glass {
 
@@ -68,7 +69,7 @@ double wave(std::uint64_t seed, Stream stream, const Id& crack, double x) {
 // ---- a crack before it is cut off
 
 struct Shape {
-  double half_mm = 0.0;      // of the thickness, less the skin
+  double half_mm = 0.0;      // of the sheet's thickness, less the skin
   double tilt_slope = 0.0;   // tangents of the largest lean
   double curve_slope = 0.0;  // and of its change
   double reach_mm = 0.0;     // of the walls to either side
@@ -78,15 +79,15 @@ struct Shape {
 
 double tangent(Angle angle) { return sine(angle.radians()) / cosine(angle.radians()); }
 
-Shape shape_of(const Pane& pane) {
+Shape shape_of(const Pane& pane, const Sheet& glass) {
   const CrackSheet& sheet = pane.crack_sheet;
   Shape shape;
-  shape.half_mm = 0.5 * pane.thickness_mm - crack_skin_mm;
+  shape.half_mm = 0.5 * glass.thickness_mm - crack_skin_mm;
   shape.tilt_slope = tangent(sheet.tilt);
   shape.curve_slope = tangent(sheet.curve);
   const double opening = sheet.opening_mm * (1.0 + sheet.opening_variation);
   shape.reach_mm = shape.half_mm * (shape.tilt_slope + 0.5 * shape.curve_slope) + 0.5 * opening + crack_clearance_mm;
-  const double step = std::min(step_thicknesses * pane.thickness_mm, step_twists * sheet.twist_mm);
+  const double step = std::min(step_thicknesses * glass.thickness_mm, step_twists * sheet.twist_mm);
   shape.corridor.longest_step_mm = std::max(step, 0.1);
   shape.corridor.reach_mm = shape.reach_mm;
   shape.corridor.joint_mm = 2.5 * shape.reach_mm + shape.corridor.longest_step_mm;
@@ -100,12 +101,13 @@ Shape shape_of(const Pane& pane) {
 
 class Builder {
  public:
-  Builder(const Pane& pane, const CrackNetwork& network, const CrackSurfaces& impacts, std::uint64_t seed)
+  Builder(const Pane& pane, const Sheet& sheet, const CrackNetwork& network, const CrackSurfaces& impacts, std::uint64_t seed)
       : pane_(pane),
+        sheet_(sheet),
         network_(network),
         impacts_(impacts),
         seed_(seed),
-        shape_(shape_of(pane)),
+        shape_(shape_of(pane, sheet)),
         corridors_(pane, network, impacts.zones, shape_.corridor) {}
 
   // The walls of all paths, cut off where they end.
@@ -123,9 +125,7 @@ class Builder {
     bool open_start = false;  // ends within the glass
     bool open_end = false;
   };
-  const Crack& crack(std::size_t path) const {
-    return network_.cracks[static_cast<std::size_t>(corridors_.paths()[path].crack)];
-  }
+  const Crack& crack(std::size_t path) const { return network_.crack(corridors_.paths()[path].crack); }
   const ImpactZone& zone_of(std::size_t path) const { return impacts_.zones[static_cast<std::size_t>(crack(path).impact)]; }
   Id id(std::size_t path) const { return Id(pane_.name).child("crack").child(static_cast<std::uint64_t>(crack(path).id)); }
   // The walls of a path, as many pieces as there is room for, and nothing cut off.
@@ -144,6 +144,7 @@ class Builder {
                                  const std::vector<std::vector<Walls>>& all) const;
 
   const Pane& pane_;
+  Sheet sheet_;  // that the cracks run through
   const CrackNetwork& network_;
   const CrackSurfaces& impacts_;  // their zones and holes
   std::uint64_t seed_;
@@ -188,7 +189,7 @@ void Builder::append_column(Walls& walls, const Station& station, const Profile&
   const double narrow = closed + (1.0 - closed) * tip(tip_share * profile.length_mm);
   const double opening =
       sheet.opening_mm * narrow * (1.0 + sheet.opening_variation * wave(seed_, Stream::crack_opening, id, x));
-  const double depth = profile.depth * (tip_depth + (1.0 - tip_depth) * tip(tip_thicknesses * pane_.thickness_mm));
+  const double depth = profile.depth * (tip_depth + (1.0 - tip_depth) * tip(tip_thicknesses * sheet_.thickness_mm));
   const double far = profile.depth < 1.0 ? closed : far_opening;
   const double half_gap = std::min(0.5 * opening, gap_share * station.room_mm);
 
@@ -197,8 +198,8 @@ void Builder::append_column(Walls& walls, const Station& station, const Profile&
   double farthest = 0.0;
   for (std::size_t r = 0; r < walls.rows; ++r) {
     const double t = static_cast<double>(r) / static_cast<double>(walls.rows - 1);
-    heights.push_back(profile.side * shape_.half_mm * (1.0 - 2.0 * depth * t));
-    const double z = heights.back();
+    const double z = profile.side * shape_.half_mm * (1.0 - 2.0 * depth * t);
+    heights.push_back(sheet_.middle_mm + z);
     aside.push_back(tilt * z + curve * (0.5 * z * z / shape_.half_mm - shape_.half_mm / 6.0));
     farthest = std::max(farthest, std::abs(aside.back()));
   }
@@ -258,7 +259,7 @@ std::optional<Barrier> Builder::barrier(std::size_t path, bool at_end, const Wal
 // How far the front of a tip within the glass lags behind, by row.
 std::vector<double> Builder::lags_of_tip(const Walls& walls) const {
   std::vector<double> lags;
-  const double longest = std::min(tip_lead * pane_.thickness_mm, 0.3 * (walls.along_mm.back() - walls.along_mm.front()));
+  const double longest = std::min(tip_lead * sheet_.thickness_mm, 0.3 * (walls.along_mm.back() - walls.along_mm.front()));
   for (std::size_t r = 0; r < walls.rows; ++r) {
     const double t = static_cast<double>(r) / static_cast<double>(walls.rows - 1);
     lags.push_back(longest * t * t);
@@ -408,25 +409,39 @@ CrackSurface Builder::surface(std::size_t path, const Walls& walls) const {
   return result;
 }
 
-}  // namespace
-
-CrackSurfaces crack_surfaces(const Pane& pane, const CrackNetwork& network, std::uint64_t seed) {
+// The gaps of a network through a sheet, clear of the zones and holes of `impacts`.
+std::vector<CrackSurface> gaps_through(const Pane& pane, const Sheet& sheet, const CrackNetwork& network,
+                                       const CrackSurfaces& impacts, std::uint64_t seed) {
   const auto now = pane.time_us ? std::optional(network_at(pane, network, *pane.time_us)) : std::nullopt;
-  CrackSurfaces result;
-  add_zones(pane, network, seed, result);
-  const Builder builder(pane, network, result, seed);
+  const Builder builder(pane, sheet, network, impacts, seed);
   const std::vector<std::vector<Walls>> all = builder.all_walls();
-  std::vector<std::vector<CrackSurface>> surfaces(all.size());
+  std::vector<std::vector<CrackSurface>> of_paths(all.size());
   parallel_for(all.size(), [&](std::size_t i) {
     std::vector<Walls> own = all[i];
     if (now) builder.cut_to(i, *now, own);
-    for (const Walls& walls : own) surfaces[i].push_back(builder.surface(i, walls));
+    for (const Walls& walls : own) of_paths[i].push_back(builder.surface(i, walls));
   });
-  for (std::vector<CrackSurface>& of_path : surfaces) {
-    for (CrackSurface& surface : of_path) result.surfaces.push_back(std::move(surface));
-  }
-  if (now) leave_out_later(now->impacts.size(), result);
+  std::vector<CrackSurface> surfaces;
+  for (std::vector<CrackSurface>& of_path : of_paths) std::ranges::move(of_path, std::back_inserter(surfaces));
+  return surfaces;
+}
+
+}  // namespace
+
+CrackSurfaces crack_surfaces(const Pane& pane, const CrackNetwork& network, std::uint64_t seed) {
+  CrackSurfaces result;
+  add_zones(pane, network, seed, result);
+  result.surfaces = gaps_through(pane, sheet_of(pane, Ply::near), network, result, seed);
+  if (pane.time_us) leave_out_later(network_at(pane, network, *pane.time_us).impacts.size(), result);
   return result;
+}
+
+std::vector<CrackSurface> far_surfaces(const Pane& pane, const CrackNetwork& near, const CrackNetwork& far,
+                                       std::uint64_t seed) {
+  if (far.cracks.empty()) return {};
+  CrackSurfaces impacts;
+  add_zones(pane, near, seed, impacts);
+  return gaps_through(pane, sheet_of(pane, Ply::far), far, impacts, seed);
 }
 
 std::vector<std::size_t> closed_triangles(const CrackSurface& surface) {

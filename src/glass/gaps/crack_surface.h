@@ -42,10 +42,11 @@ struct CrackSurfaces {
   bool operator==(const CrackSurfaces&) const = default;
 };
 
-// The gaps of all cracks of a broken pane, shaped by pane.crack_sheet. Guarantees:
+// The gaps of all cracks of a broken pane, shaped by pane.crack_sheet; of laminated glass those of the sheet that is hit,
+// through that sheet. Guarantees:
 //   1. the walls of two gaps do not meet, nor do the two walls of a gap, nor a wall and itself;
 //   2. gaps do not meet holes: those that start at the impact end before its wall, the others outside the zone;
-//   3. all gaps lie within the outline, at least crack_skin_mm below the faces of the pane, and, but for those
+//   3. all gaps lie within the outline, at least crack_skin_mm below the faces of the sheet, and, but for those
 //      gaps, outside the zones;
 //   4. the same pane, network and seed give the same bits at any number of threads;
 //   5. where the pane has a time, gaps are those of all cracks as far as these have grown, with the zones and holes of the
@@ -53,6 +54,10 @@ struct CrackSurfaces {
 // A stretch along which other cracks are too near to leave room for a gap is left out, and so are chips.
 // REQUIRES: the network is that of the pane.
 CrackSurfaces crack_surfaces(const Pane& pane, const CrackNetwork& network, std::uint64_t seed);
+
+// The same of the far sheet of laminated glass, whose cracks are `far` (glass/breaking.h), clear of the zones and holes about
+// the impacts that `crack_surfaces` makes of `near`.
+std::vector<CrackSurface> far_surfaces(const Pane& pane, const CrackNetwork& near, const CrackNetwork& far, std::uint64_t seed);
 
 // The same gap as a closed surface of triangles, three numbers of points each, counter-clockwise as seen from without. Numbers
 // below left_mm.size() are points of the left wall, those from there on of the right one.

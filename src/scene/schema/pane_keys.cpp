@@ -31,6 +31,7 @@ constexpr std::string_view beside_cracks_file = "beside cracks_file";
 constexpr std::string_view without_real = "without pattern = \"real\"";
 
 bool with_shards(const PaneFacts& f) { return f.pane.shards.has_value(); }
+bool without_shards(const PaneFacts& f) { return !with_shards(f); }
 bool with_upright_shards(const PaneFacts& f) { return f.pane.shards && !f.pane.shards->leaning; }
 bool with_cracks_file(const PaneFacts& f) { return f.pane.given_cracks.has_value(); }
 bool without_pattern_real(const PaneFacts& f) { return !f.is_real(); }
@@ -227,7 +228,18 @@ const Section<Pane, PaneFacts> crater_keys{
 const Section<Laminated, PaneFacts> laminate_keys{
     "pane[].laminate",
     {
-        LaminateRow::number("through", &Laminated::through, {0.0, 1.0}, "part of the cracks that run through both sheets"),
+        LaminateRow::number(
+            "far_cracks", &Laminated::far_cracks, {0.0, 1.0},
+            "cracks of the sheet away from the impact, as a part of those of the sheet that is hit: they grow by "
+            "themselves, so that the two cross")
+            .idle(with_shards, beside_shards),
+        LaminateRow::number("film_mm", &Laminated::film_mm, {0.01, 100.0},
+                            "thickness of the film between the sheets, at most half that of the pane")
+            .by_default("0.76, at most a quarter of the thickness")
+            .idle(with_shards, beside_shards),
+        LaminateRow::number("through", &Laminated::through, {0.0, 1.0},
+                            "of a pane with shards: part of the cracks that run through both sheets")
+            .idle(without_shards, "without shards"),
         LaminateRow::number("milky_width_mm", &Laminated::milky_width_mm, {0.0, 1000.0},
                             "width of the white rim about the crushed zone"),
     }};

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "export/export_panes.h"
 #include "geometry/polygon.h"
+#include "glass/breaking.h"
 
 namespace shatterpave::exporting::shapes {
 namespace {
@@ -102,6 +104,27 @@ TEST_P(Tubes, NoTwoTouchAndAllLieWithin) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Radials, Tubes, testing::Values(1, 2, 3, 24, 113, 200, 1000));
+
+TEST(TubesOfTwoSheets, LieInTheMiddleOfTheirOwn) {
+  glass::Pane pane = pane_with(24);
+  pane.glass = glass::Laminated{};
+  pane.thickness_mm = 5.0;
+  const BrokenPane broken = broken_pane(pane);
+  const glass::CrackNetwork far = glass::broken_far_sheet(broken.pane, broken.network, 7);
+  const TubedCracks cracks = tubed_cracks(broken.pane, broken.network, far);
+  std::array<std::vector<Tube>, 2> of_sheets;
+  for (const Tube& tube : cracks.tubes) {
+    const bool is_far = tube.crack >= far.cracks.front().id;
+    EXPECT_EQ(tube.z_mm, is_far ? -1.44 : 1.44);
+    of_sheets.at(is_far ? 1 : 0).push_back(tube);
+  }
+  for (const std::vector<Tube>& tubes : of_sheets) {
+    EXPECT_GT(tubes.size(), 100U);
+    EXPECT_EQ(touching_pairs(tubes), 0);
+    expect_within(broken, {cracks.zones, tubes});
+  }
+  EXPECT_GT(touching_pairs(cracks.tubes), 0) << "in one plane they would touch";
+}
 
 // The check above finds what it looks for: the same pieces without trimming do touch.
 TEST(TubesTwin, UntrimmedCracksTouch) {

@@ -17,6 +17,11 @@ if(SHATTERPAVE_SANITIZE)
   add_link_options(-fsanitize=${SHATTERPAVE_SANITIZE})
 endif()
 
+# What harnesses of libFuzzer follow in the code that they try (tests/fuzz).
+if(SHATTERPAVE_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 # shatterpave_precompile(TARGET HEADER…): those and the standard library's, where that is asked for. Sources include what they use
 # all the same: clang-tidy reads them without.
 function(shatterpave_precompile target)

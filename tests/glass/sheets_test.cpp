@@ -131,8 +131,8 @@ std::vector<support::Triangle> triangles_of(const std::vector<CrackSurface>& sur
   return result;
 }
 
-// No gap of one sheet meets one of the other, between which the film lies.
-TEST(Sheets, GapsStayWithinTheirSheetAndMeetNoneOfTheOther) {
+// No two gaps of the pane meet: not of one sheet, nor of two, between which the film lies.
+TEST(Sheets, GapsStayWithinTheirSheetAndMeetNoOther) {
   const Pane pane = windscreen();
   for (const std::uint64_t seed : {2ULL, 9ULL}) {
     const CrackNetwork near = broken(pane, seed);
@@ -163,10 +163,8 @@ TEST(Sheets, GapsStayWithinTheirSheetAndMeetNoneOfTheOther) {
         EXPECT_GT(glm::length(vec2{p.x, p.y} - gaps.zones[0].centre_mm), gaps.zones[0].radius_mm - 0.0015);
       }
     }
-    const std::size_t within =
-        support::meeting_pairs(triangles_of(gaps.surfaces)) + support::meeting_pairs(triangles_of(of_far));
     gaps.surfaces.insert(gaps.surfaces.end(), of_far.begin(), of_far.end());
-    EXPECT_EQ(support::meeting_pairs(triangles_of(gaps.surfaces)), within) << seed;
+    EXPECT_EQ(support::meeting_pairs(triangles_of(gaps.surfaces)), 0U) << seed;
     // The twin: the far sheet's gaps in the near one.
     std::vector<CrackSurface> moved = gaps.surfaces;
     for (CrackSurface& surface : moved) {
@@ -175,7 +173,7 @@ TEST(Sheets, GapsStayWithinTheirSheetAndMeetNoneOfTheOther) {
         for (vec3& p : *wall) p.z += 2.88;
       }
     }
-    EXPECT_GT(support::meeting_pairs(triangles_of(moved)), within + 100U);
+    EXPECT_GT(support::meeting_pairs(triangles_of(moved)), 100U);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "geometry/lattice.h"
 #include "glass/gaps/crack_corridor.h"
 #include "glass/gaps/crack_walls.h"
+#include "glass/gaps/gap_meetings.h"
 #include "glass/gaps/impact_zones.h"
 #include "glass/map/growth_clock.h"
 #include "glass/sheets.h"
@@ -423,7 +424,7 @@ std::vector<CrackSurface> gaps_through(const Pane& pane, const Sheet& sheet, con
   });
   std::vector<CrackSurface> surfaces;
   for (std::vector<CrackSurface>& of_path : of_paths) std::ranges::move(of_path, std::back_inserter(surfaces));
-  return surfaces;
+  return without_meetings(std::move(surfaces));
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ struct CrackSurfaces {
 
 // The gaps of all cracks of a broken pane, shaped by pane.crack_sheet; of laminated glass those of the sheet that is hit,
 // through that sheet. Guarantees:
-//   1. the walls of two gaps do not meet, nor do the two walls of a gap, nor a wall and itself;
+//   1. the walls of two gaps do not meet, nor do the two walls of a gap, nor a wall and itself (gap_meetings.h looks at the
+//   end);
 //   2. gaps do not meet holes: those that start at the impact end before its wall, the others outside the zone;
 //   3. all gaps lie within the outline, at least crack_skin_mm below the faces of the sheet, and, but for those
 //      gaps, outside the zones;

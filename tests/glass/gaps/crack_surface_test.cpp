@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "geometry/polygon.h"
 #include "glass/breaking.h"
+#include "glass/gaps/gap_meetings.h"
 #include "glass/random_panes.h"
 #include "support/triangles.h"
 
@@ -101,6 +102,59 @@ TEST(CrackSurfacesRandom, DoNotMeetInOddPanes) {
     with_joints += std::ranges::any_of(network.cracks, joins) ? 1 : 0;
   }
   EXPECT_GE(with_joints, 12);
+}
+
+// Rings that end on radials which lean on others, where each is cut off before what another is cut off before: of 24 webs as
+// these 12 and 19 had gaps that met.
+TEST(CrackSurfacesReal, DoNotMeetInDenseWebs) {
+  for (const std::uint64_t seed : {1ULL, 6ULL, 19ULL}) {
+    for (const bool laminated : {false, true}) {
+      Pane pane = pane_with(0);
+      pane.outline_mm = {{0, 0}, {300, 0}, {300, 240}, {0, 240}};
+      pane.pattern = Pattern::real;
+      pane.impacts[0].at_mm = {140, 110};
+      pane.impacts[0].radial_count.reset();
+      pane.impacts[0].mean_radial_count = laminated ? 50 : 110;
+      if (laminated) {
+        pane.thickness_mm = 5.0;
+        pane.glass = Laminated{};
+        pane.rings = laminated_rings;
+      }
+      const CrackNetwork network = broken(pane, seed);
+      const CrackSurfaces cracks = crack_surfaces(pane, network, seed);
+      EXPECT_EQ(support::meeting_pairs(triangles_of(cracks)), 0U) << seed << laminated;
+      EXPECT_GT(cracks.surfaces.size(), 30U);
+    }
+  }
+}
+
+// Of two that meet, stretches of the later are left out, and all others stay as they are.
+TEST(CrackSurface, IsLeftOutWhereItMeetsAnother) {
+  const Pane pane = pane_with(24);
+  CrackSurfaces cracks = crack_surfaces(pane, broken(pane, 7), 7);
+  EXPECT_TRUE(meeting_stretches(cracks.surfaces).empty());
+  EXPECT_EQ(without_meetings(cracks.surfaces), cracks.surfaces);
+  CrackSurface moved = cracks.surfaces.front();
+  for (std::vector<vec3>* wall : {&moved.left_mm, &moved.right_mm}) {
+    for (vec3& p : *wall) p = {p.y, p.x, p.z};  // turned about the diagonal, across the others
+  }
+  moved.crack = 1000;
+  cracks.surfaces.push_back(moved);
+  EXPECT_GT(support::meeting_pairs(triangles_of(cracks)), 0U);
+  const std::size_t others = cracks.surfaces.size() - 1;
+  cracks.surfaces = without_meetings(std::move(cracks.surfaces));
+  EXPECT_EQ(support::meeting_pairs(triangles_of(cracks)), 0U);
+  const CrackSurfaces before = crack_surfaces(pane, broken(pane, 7), 7);
+  std::size_t left = 0;
+  for (std::size_t s = 0; s < cracks.surfaces.size(); ++s) {
+    if (s < others) {
+      EXPECT_EQ(cracks.surfaces[s], before.surfaces[s]);
+    } else {
+      left += cracks.surfaces[s].columns();
+    }
+  }
+  EXPECT_GT(left, moved.columns() / 2);
+  EXPECT_LT(left, moved.columns());
 }
 
 // Cracks that pass each other's tips and end on each other; one that runs close by a corner of the outline; and one that ends

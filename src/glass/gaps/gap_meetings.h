@@ -1,0 +1,27 @@
+// Where gaps meet although they are to keep apart: the last look at what is made, exact on the lattice.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "glass/gaps/crack_surface.h"
+
+namespace shatterpave::glass {
+
+// A stretch of a gap: from a column to the next.
+struct GapStretch {
+  std::size_t surface = 0;
+  std::size_t column = 0;
+
+  bool operator==(const GapStretch&) const = default;
+};
+
+// Of each two stretches whose triangles (`closed_triangles`) pass through one another that of the later surface, ascending,
+// each once. Surfaces of one crack are not held against each other. Time goes with the number of stretches.
+std::vector<GapStretch> meeting_stretches(const std::vector<CrackSurface>& surfaces);
+
+// The surfaces, of which no two meet: stretches that do are left out of the later one, with one more to either side. Those that
+// meet none stay as they are.
+std::vector<CrackSurface> without_meetings(std::vector<CrackSurface> surfaces);
+
+}  // namespace shatterpave::glass

@@ -20,7 +20,10 @@ class Places {
  public:
   Places(const Ends& ends, double tolerance_mm) : places_(ends.size()) {
     Cells cells;
-    const auto cell_of = [&](vec2 p) { return std::pair{std::llround(p.x / tolerance_mm), std::llround(p.y / tolerance_mm)}; };
+    // Places beyond all plans, and those that are no numbers, which are refused later, share a cell.
+    constexpr double farthest = 1e15;
+    const auto along = [&](double mm) { return std::abs(mm / tolerance_mm) < farthest ? std::llround(mm / tolerance_mm) : 0; };
+    const auto cell_of = [&](vec2 p) { return std::pair{along(p.x), along(p.y)}; };
     for (std::size_t i = 0; i < ends.size(); ++i) {
       const auto [column, row] = cell_of(ends[i]);
       for (std::int64_t c = column - 1; c <= column + 1; ++c) {

@@ -19,7 +19,7 @@ string(JOIN "|" shatterpave_slow_tests
   "^(ClosedRegion|Dice|FallenShards|RealPattern|Topology|Branches|Laminated)[.]" "CrackSurface" "CracksInASlab" "^Bodies" "^CrackMap[.]StaysInside"
   "^Growth[.](Thousands|Tips)" "^PrintedLaw[.]" "^GrowthClock[.]" "Joined" "Shard" "^Radials/Tubes"
   # paving
-  "^(Bonds|BorderCourse|Colouring|Filling|HandLaying|Joining|Laying|Variation)[.]" "EveryBond" "EveryField" "^Steps[.]AreNever" "^StoneBody[.]Rounded"
+  "^(Bonds|BorderCourse|Colouring|Filling|HandLaying|Joining|Laying|Module|Variation)[.]" "EveryBond" "EveryField" "^Steps[.]AreNever" "^StoneBody[.]Rounded"
   "^StoneSurface[.](Split|Covers)"
   # measure
   "^(BareSpot|PavementMeasures|StoneStock)[.]"

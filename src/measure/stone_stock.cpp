@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "geometry/clip.h"
 #include "geometry/hull.h"
 #include "paving/bonds/border.h"
 
@@ -123,6 +124,33 @@ StockLimit of_chevron(const Pavement& pavement) {
   return limit;
 }
 
+// The smallest rectangle about a hull, its length and its width: one of its sides runs along one of the hull's.
+vec2 box_of(const Polygon& hull) {
+  vec2 best{0.0, 0.0};
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const vec2 side = hull[(i + 1) % hull.size()] - hull[i];
+    const vec2 d = side / glm::length(side);
+    const vec2 size{glm::dot(reach(hull, d), d), glm::dot(reach(hull, left_of(d)), left_of(d))};
+    if (i == 0 || size.x * size.y < best.x * best.y) best = size;
+  }
+  return {std::max(best.x, best.y), std::min(best.x, best.y)};
+}
+
+// The longest, the widest and the largest of the stones, which are the cells less half a joint.
+StockLimit of_module(const Pavement& pavement) {
+  const paving::Module& drawn = pavement.bonding.module_drawn;
+  if (drawn.stones.empty()) return of_faces({pavement.stone_mm}, 1.0);
+  StockLimit limit{{vec2{0.0, 0.0}}, 0.0, 1.0};
+  for (const paving::Module::Stone& stone : drawn.stones) {
+    constexpr double sharp = 100.0;  // no corner is cut off
+    for (const geometry::Region& face : geometry::offset({stone.cell_mm, {}}, -0.5 * pavement.joint_mm, sharp)) {
+      limit.faces_mm.front() = glm::max(limit.faces_mm.front(), box_of(geometry::convex_hull(face.outline)));
+      limit.area_mm2 = std::max(limit.area_mm2, geometry::area(face.outline));
+    }
+  }
+  return limit;
+}
+
 }  // namespace
 
 StockLimit stock_limit(const Pavement& pavement) {
@@ -147,6 +175,8 @@ StockLimit stock_limit(const Pavement& pavement) {
       return of_faces({modules(3.0, 2.0), modules(2.0, 3.0)}, 1.0);
     case Bond::chevron:
       return of_chevron(pavement);
+    case Bond::drawn_module:
+      return of_module(pavement);
     case Bond::segmental_arc:
     case Bond::fan:
     case Bond::crazy:

@@ -37,8 +37,8 @@ double border_length(const geometry::RegionIndex& area) {
 double expected_stones(const Pavement& pavement, const geometry::RegionIndex& area) {
   const vec2 pitch = size_range(pavement).smallest * pitch_mm(pavement);
   const double border = pavement.border.course == BorderCourse::none ? 0.0 : 1.0 / border_stone_mm(pavement).x;
-  return geometry::area(pavement.area) / (pitch.x * pitch.y) +
-         border_length(area) * (1.0 / std::min(pitch.x, pitch.y) + border);
+  const double place = type_of(pavement).takes_module ? type_of(pavement).mean_area_mm2(pavement) : pitch.x * pitch.y;
+  return geometry::area(pavement.area) / place + border_length(area) * (1.0 / std::min(pitch.x, pitch.y) + border);
 }
 
 // Of a member, for messages: NAME.MEMBER.

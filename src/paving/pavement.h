@@ -110,7 +110,24 @@ enum class Bond {
   ashlar,         // rectangles of several sizes, mixed at random
   crazy,          // irregular polygons (Voronoi cells, as §5 of Miyata and Itoh suggests for natural stone)
   chevron,        // planks with slanted ends, which meet in straight lines
+  drawn_module,   // stones that a user drew, one repeat of them, and the two vectors by which it repeats
   course          // one row along the outline of a ring, mitred at its corners: kerbs, which no scene asks for by this name
+};
+
+// One repeat of a pattern that a user drew, as paving/bonds/module_cells.h makes it.
+struct Module {
+  struct Stone {
+    geometry::Polygon cell_mm;  // half a joint wider all round than its face; counter-clockwise, simple
+    vec2 axis{1.0, 0.0};        // unit vector along the stone
+    bool operator==(const Stone&) const = default;
+  };
+  // Moved by all whole multiples of both vectors they pave the plane. None: one of `Pavement::stone_mm`, in rows whose perpends
+  // are in line.
+  std::vector<Stone> stones;
+  vec2 along_mm{1.0, 0.0};      // the shortest way from a stone to the same one again
+  vec2 across_mm{0.0, 1.0};     // the shortest to one side of that, its left
+  double least_face_mm2 = 0.0;  // of the smallest stone; its length and width are `Pavement::stone_mm`
+  bool operator==(const Module&) const = default;
 };
 
 struct Bonding {
@@ -122,6 +139,7 @@ struct Bonding {
   // Where a pattern that repeats, laid in one direction, has the corner of a whole stone, with half the joint about it: the
   // point of beginning of landscape architects. Not given: in the lower left corner of the area's box turned to the rows.
   std::optional<vec2> start_mm{};
+  Module module_drawn{};  // of a drawn module
   bool operator==(const Bonding&) const = default;
 };
 

@@ -53,8 +53,9 @@ struct Repetition {
 };
 
 Repetition repetition_of(const Pattern& pattern, vec2 along) {
-  const vec2 first = pattern.period_mm.x * along;
-  return {Matrix(first, pattern.shift * first + pattern.period_mm.y * left_of(along))};
+  const vec2 row = Placement{{0.0, 0.0}, along}.direction_of(pattern.row);
+  const vec2 first = pattern.period_mm.x * row;
+  return {Matrix(first, pattern.shift * first + pattern.period_mm.y * left_of(row))};
 }
 
 // Where the lattice repeats along `axis` (a unit vector), but for a slant that stretching takes away: after a length near

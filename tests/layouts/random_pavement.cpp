@@ -217,8 +217,9 @@ DrawnScene random_scene(std::uint64_t number, std::uint64_t attempt, Kind kind, 
   const Draws draws = Draws(number).of("attempt", attempt);
   const Rarities rare = kind == Kind::rare ? rarities(draws.of("rare")) : Rarities{};
   std::vector<const BondType*> bonds;
-  std::ranges::copy_if(paving::bond_types(), std::back_inserter(bonds),
-                       [](const BondType* type) -> bool { return type->is_for_scenes; });
+  std::ranges::copy_if(paving::bond_types(), std::back_inserter(bonds), [](const BondType* type) -> bool {
+    return type->is_for_scenes && !type->takes_module;  // which needs a file: tests/paving/bonds/module_test
+  });
   if (kind == Kind::sized) std::erase_if(bonds, [](const BondType* type) { return type->bending != paving::Bending::packed; });
   const BondType& bond = *bonds.at(draws.count("bond", 0, bonds.size() - 1));
   Sizes sizes = random_sizes(draws.of("sizes"), bond);

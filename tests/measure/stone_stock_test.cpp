@@ -102,7 +102,7 @@ TEST(StoneStock, OfABondIsItsLargestWholeStone) {
       }
     }
   }
-  EXPECT_EQ(seen, 8U);
+  EXPECT_EQ(seen, 9U);
 }
 
 TEST(StoneStock, IsWithoutLimitWhereABondMakesStonesAsTheyCome) {

@@ -39,7 +39,8 @@ const std::vector<Case> cases = {{Bond::packed, {100, 100}, 0},
                                  {Bond::segmental_arc, {90, 90}, 0},
                                  {Bond::fan, {90, 90}, 0},
                                  {Bond::chevron, {300, 90}, 0},
-                                 {Bond::chevron, {300, 90}, 90}};
+                                 {Bond::chevron, {300, 90}, 90},
+                                 {Bond::drawn_module, {150, 90}, 0}};
 
 std::string message_of(const Pavement& pavement) {
   try {

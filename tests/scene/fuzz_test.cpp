@@ -247,6 +247,27 @@ TEST(Fuzz, SvgRegionsOrInputErrors) {
   EXPECT_GT(ends.errors, 1000);
 }
 
+TEST(Fuzz, ScenesWithModulesOrInputErrors) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("shatterpave_fuzz_modules_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string open = R"x(<svg xmlns="http://www.w3.org/2000/svg" width="400mm" height="300mm" viewBox="0 0 400 300">)x";
+  const std::vector<std::string> seeds = {
+      open + R"x(<rect width="200" height="100"/><rect x="200" width="100" height="100"/></svg>)x",
+      open + R"x(<path d="M0 0h300c20 30 -20 60 0 100h-300c-20 -40 20 -70 0 -100z"/></svg>)x",
+      open + R"x(<polygon points="0,0 295,0 295,95 0,95"/></svg>)x"};
+  const Ends ends = fuzzed(seeds, "modules", 3000, [&](const std::string& text) {
+    std::ofstream(folder / "tile.svg", std::ios::binary) << text;
+    scene_of_text(
+        "[[pavement]]\nname = \"p\"\nsize_mm = [900, 900]\nbond = \"module\"\nmodule_file = \"tile.svg\"\n"
+        "module_mm = [[300, 0], [0, 100]]\n",
+        folder / "s.toml");
+  });
+  std::filesystem::remove_all(folder);
+  EXPECT_GT(ends.values, 300);
+  EXPECT_GT(ends.errors, 1000);
+}
+
 TEST(Fuzz, OverridesOrInputErrors) {
   const std::vector<std::string> seeds = {"pane[0].size_mm[1]=300", "pavement.path.joint_mm=4", "seed=7",
                                           "pane[0].impact[0].at_mm=[20, 30]"};

@@ -206,6 +206,8 @@ TEST(Keys, TakeTheirChoicesAndNoOther) {
         EXPECT_EQ(said, "expected grid_file = \"…\", a file of vectors, got none");
       } else if (choice == "map") {
         EXPECT_EQ(said, "expected map_file = \"…\", a grey picture, got none");
+      } else if (choice == "module") {
+        EXPECT_EQ(said, "expected module_file = \"…\", a drawing of the stones, got none");
       } else {
         EXPECT_EQ(said, "") << path << " = " << choice;
       }

@@ -106,6 +106,7 @@ extern constinit const BondType crazy_bond{
     .shapes = any_shape,
     .takes_offset = false,
     .takes_span = false,
+    .takes_module = false,
     .has_square_stones = false,
     .has_stones_of_a_size = false,
     .pattern_turn = Angle(),

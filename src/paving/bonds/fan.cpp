@@ -133,6 +133,7 @@ extern constinit const BondType fan_bond{
     .shapes = sett_shapes,
     .takes_offset = false,
     .takes_span = true,
+    .takes_module = false,
     .has_square_stones = false,
     .has_stones_of_a_size = false,
     .pattern_turn = Angle(),

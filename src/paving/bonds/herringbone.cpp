@@ -43,6 +43,7 @@ extern constinit const BondType herringbone_bond{
     .shapes = not_wider_than_long,
     .takes_offset = false,
     .takes_span = false,
+    .takes_module = false,
     .has_square_stones = true,
     .has_stones_of_a_size = true,
     .pattern_turn = Angle::degrees(45.0),

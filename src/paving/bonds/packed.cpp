@@ -34,6 +34,7 @@ extern constinit const BondType packed_bond{
     .shapes = any_shape,
     .takes_offset = false,
     .takes_span = false,
+    .takes_module = false,
     .has_square_stones = true,
     .has_stones_of_a_size = true,
     .pattern_turn = Angle(),

@@ -27,6 +27,7 @@ extern constinit const BondType running_bond{
     .shapes = any_shape,
     .takes_offset = true,
     .takes_span = false,
+    .takes_module = false,
     .has_square_stones = true,
     .has_stones_of_a_size = true,
     .pattern_turn = Angle(),

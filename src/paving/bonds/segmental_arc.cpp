@@ -144,6 +144,7 @@ extern constinit const BondType segmental_arc_bond{
     .shapes = sett_shapes,
     .takes_offset = false,
     .takes_span = true,
+    .takes_module = false,
     .has_square_stones = false,
     .has_stones_of_a_size = false,
     .pattern_turn = Angle(),

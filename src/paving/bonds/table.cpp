@@ -18,13 +18,14 @@ extern const BondType fan_bond;
 extern const BondType ashlar_bond;
 extern const BondType crazy_bond;
 extern const BondType chevron_bond;
+extern const BondType module_bond;
 extern const BondType course_bond;
 
 namespace {
 
-constexpr std::array types = {&packed_bond,       &running_bond, &stack_bond,         &herringbone_bond,
-                              &basket_weave_bond, &hexagon_bond, &segmental_arc_bond, &fan_bond,
-                              &ashlar_bond,       &crazy_bond,   &chevron_bond,       &course_bond};
+constexpr std::array types = {&packed_bond,  &running_bond,       &stack_bond, &herringbone_bond, &basket_weave_bond,
+                              &hexagon_bond, &segmental_arc_bond, &fan_bond,   &ashlar_bond,      &crazy_bond,
+                              &chevron_bond, &module_bond,        &course_bond};
 static_assert(types.size() == static_cast<std::size_t>(Bond::course) + 1,
               "one row for each value of Bond, whose last is course");
 

@@ -79,6 +79,7 @@ struct BondType {
   Given<ShapeLimits> shapes;      // others are refused
   Given<bool> takes_offset;       // whether rows move on by `Bonding::offset`
   Given<bool> takes_span;         // whether `Bonding::span_mm` is its width
+  Given<bool> takes_module;       // whether its stones are those of `Bonding::module_drawn`, whatever their size
   Given<bool> has_square_stones;  // whether whole stones have four sides, along the axis that the bond asks for and across it
   Given<bool> has_stones_of_a_size;  // whether whole stones are alike in size
   Given<Angle> pattern_turn;         // from the rows to u of its pattern

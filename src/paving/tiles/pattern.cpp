@@ -50,12 +50,14 @@ bool is_needed(const geometry::Polygon& outline, const geometry::RegionIndex& ar
 }
 
 std::vector<Tile> repeated(const Pattern& pattern, const Placement& placement, const geometry::RegionIndex& area) {
-  const Grid grid{placement.origin, pattern.period_mm.x * placement.along, pattern.period_mm.y * left_of(placement.along)};
+  const vec2 row = placement.direction_of(pattern.row);
+  const Grid grid{placement.origin, pattern.period_mm.x * row, pattern.period_mm.y * left_of(row)};
   std::vector<Tile> tiles;
   for (const GridPoint& p : near_points(grid, area, reach(pattern))) {
     const double moved = static_cast<double>(p.j) * pattern.shift;
-    const vec2 by{(static_cast<double>(p.i) + moved - std::floor(moved)) * pattern.period_mm.x,
-                  static_cast<double>(p.j) * pattern.period_mm.y};
+    const double along = (static_cast<double>(p.i) + moved - std::floor(moved)) * pattern.period_mm.x;
+    const double across = static_cast<double>(p.j) * pattern.period_mm.y;
+    const vec2 by = along * pattern.row + across * left_of(pattern.row);
     for (const Tile& tile : pattern.tiles) {
       Tile one = placed(tile, by, placement);
       if (is_needed(one.outline_mm, area)) tiles.push_back(std::move(one));

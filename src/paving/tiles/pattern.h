@@ -9,12 +9,13 @@
 
 namespace shatterpave::paving {
 
-// Tiles in the pattern's own coordinates (u, v), mm, which repeat by `period_mm.x` along u, and by `period_mm.y` along v while
-// moving on by `shift` (a part of period_mm.x) along u.
+// Tiles in the pattern's own coordinates (u, v), mm, which repeat by `period_mm.x` along `row`, and by `period_mm.y` across it
+// while moving on by `shift` (a part of period_mm.x) along it.
 struct Pattern {
   vec2 period_mm{1.0, 1.0};  // each > 0
   double shift = 0.0;        // 0 … 1
   std::vector<Tile> tiles;
+  vec2 row{1.0, 0.0};  // unit vector
 };
 
 // Where a pattern lies: its origin, and the direction of u.
@@ -23,6 +24,7 @@ struct Placement {
   vec2 along{1.0, 0.0};  // unit vector
 
   vec2 out_of(vec2 q) const { return origin + q.x * along + q.y * left_of(along); }
+  vec2 direction_of(vec2 q) const { return q.x * along + q.y * left_of(along); }
 };
 
 // The lower left corner of the box about the area that is turned to `along`, in the coordinates along and across.

@@ -108,6 +108,7 @@ std::string_view of_bonds(std::string_view word, bool (*is_so)(const paving::Bon
 
 bool takes_offset(const paving::BondType& type) { return type.takes_offset; }
 bool takes_span(const paving::BondType& type) { return type.takes_span; }
+bool takes_module(const paving::BondType& type) { return type.takes_module; }
 bool is_packed(const paving::BondType& type) { return type.bending == paving::Bending::packed; }
 
 PavementRow::List bond_rows() {
@@ -145,6 +146,37 @@ PavementRow::List bond_rows() {
           .by_default("as `stone_mm`")
           .idle([](const PavementFacts& f) { return f.pavement.border.course == paving::BorderCourse::none; },
                 "without border_course"),
+  };
+}
+
+bool without_module(const PavementFacts& f) { return !takes_module(f.bond()); }
+
+PavementRow::List module_rows() {
+  const std::string_view without = of_bonds("without", takes_module);
+  return {
+      PavementRow::by_code("module_file", ValueType::text,
+                           "`module`: an SVG beside the scene with a closed shape for each stone of one repeat; see "
+                           "[modules](#modules)")
+          .written("file name")
+          .by_default("must be given for a module")
+          .idle(without_module, without),
+      PavementRow::by_code("module_mm", ValueType::points,
+                           "the two vectors by which the drawing repeats, x to its right and y up")
+          .within(coordinate_range)
+          .written("`[[x, y], [x, y]]`")
+          .by_default("must be given for a module")
+          .idle(without_module, without),
+      PavementRow::by_code("module_scale", ValueType::number, "millimetres in the world for one on the page of the drawing")
+          .within(svg_scale_range)
+          .by_default("1")
+          .idle(without_module, without),
+      PavementRow::by_code("module_feature", ValueType::features, "which of its shapes are stones")
+          .by_default("all")
+          .idle(without_module, without),
+      PavementRow::by_code("module_class", ValueType::text, "or those of this class")
+          .written(as_outline_class)
+          .by_default("all")
+          .idle(without_module, without),
   };
 }
 
@@ -249,11 +281,14 @@ PavementRow::List stone_rows() {
       PavementRow::preset("stone_preset", names_of(paving::stone_presets), apply_stone_preset,
                           "sets `stone_mm` and `joint_mm`; a key given beside it wins")
           .by_default("none")
-          .idle([](const PavementFacts& f) { return f.has("stone_mm") && f.has("joint_mm"); }, "beside stone_mm and joint_mm"),
+          .idle([](const PavementFacts& f) { return f.has("stone_mm") && f.has("joint_mm"); }, "beside stone_mm and joint_mm")
+          .idle([](const PavementFacts& f) { return takes_module(f.bond()) && f.has("joint_mm"); },
+                of_bonds("beside joint_mm and", takes_module)),
       PavementRow::point(
           "stone_mm", &Pavement::stone_mm, range_of(paving::stone_bounds_mm),
           fmt::format("face of a whole stone; so large that at most {} are needed", number_text(paving::most_stones)))
-          .written("`[along, across]` the rows, each {}"),
+          .written("`[along, across]` the rows, each {}")
+          .idle([](const PavementFacts& f) { return takes_module(f.bond()); }, of_bonds("beside", takes_module)),
       PavementRow::number("joint_mm", &Pavement::joint_mm, range_of(paving::joint_bounds_mm),
                           "gap between stones; half of it stays free along the outline and holes"),
       PavementRow::table("direction", "how rows run").by_default("constant, 0°"),
@@ -266,9 +301,9 @@ PavementRow::List stone_rows() {
 
 // A preset comes before the keys that win over it.
 const Section<Pavement, PavementFacts> pavement_keys{
-    "pavement[]",
-    joined(joined(joined(joined(outline_rows<Pavement, PavementFacts>(), plan_rows()), stone_rows()), bond_rows()),
-           joined(joined(hand_rows(), look_rows()), joined(colour_rows(), table_rows())))};
+    "pavement[]", joined(joined(joined(joined(outline_rows<Pavement, PavementFacts>(), plan_rows()), stone_rows()),
+                                joined(bond_rows(), module_rows())),
+                         joined(joined(hand_rows(), look_rows()), joined(colour_rows(), table_rows())))};
 
 const Section<ColourAsked, PavementFacts> colour_keys{
     "pavement[].colour[]",

@@ -13,6 +13,7 @@
 #include "scene/grey_map_file.h"
 #include "scene/input_file.h"
 #include "scene/schema/idle_keys.h"
+#include "scene/schema/module_section.h"
 #include "scene/schema/pavement_keys.h"
 #include "scene/schema/ranges.h"
 #include "scene/schema/section.h"
@@ -260,6 +261,7 @@ paving::Pavement pavement_of(const TomlTable& table, const geometry::Box& area, 
   relief_keys.read_in(table, pavement.relief);
   read_ground(table, pavement);
   pavement.detail = detail_of(table);
+  read_module(table, plans, pavement);
   read_textures(table, pavement.textures);
   return pavement;
 }

@@ -82,7 +82,7 @@ Plans::Plans(const TomlTable& root, std::vector<Note>& notes) : notes_(notes) {
   svg_scale_ = asked.svg_scale;
 }
 
-const Plan& Plans::plan(const TomlTable& table, std::string_view file_key) {
+const Plan& Plans::plan(const TomlTable& table, std::string_view file_key, double svg_scale) {
   const Place place = table.place(file_key);
   const std::string name = *table.text(file_key);
   if (name.empty() || std::ranges::find(name, '\0') != name.end()) refuse(place, "the name of a file", in_quotes(name));
@@ -90,16 +90,17 @@ const Plan& Plans::plan(const TomlTable& table, std::string_view file_key) {
   const std::filesystem::path folder =
       is_nameless(table.file()) ? std::filesystem::path() : std::filesystem::path(table.file()).parent_path();
   const std::filesystem::path path = name == "-" ? std::filesystem::path(name) : folder / name;
-  const auto found = plans_.find(path.string());
+  const std::pair key(path.string(), svg_scale);
+  const auto found = plans_.find(key);
   if (found != plans_.end()) return found->second;
-  const Plan& plan = plans_.emplace(path.string(), plan_of_file(path, place, svg_scale_)).first->second;
+  const Plan& plan = plans_.emplace(key, plan_of_file(path, place, svg_scale)).first->second;
   for (const Note& note : plan.notes) add_note(note, notes_);
   return plan;
 }
 
 std::string Plans::sums() const {
   std::string text;
-  for (const auto& [path, plan] : plans_) text += plan.sum;
+  for (const auto& [key, plan] : plans_) text += plan.sum;
   return text + other_sums_;
 }
 

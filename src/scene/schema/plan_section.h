@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/notes.h"
@@ -24,7 +25,9 @@ class Plans {
 
   std::vector<Note>& notes() { return notes_; }
 
-  const Plan& plan(const TomlTable& table, std::string_view file_key);
+  const Plan& plan(const TomlTable& table, std::string_view file_key) { return plan(table, file_key, svg_scale_); }
+  // The same with a scale of its own, if it is an SVG.
+  const Plan& plan(const TomlTable& table, std::string_view file_key, double svg_scale);
   // That something else was read from a file with that sum.
   void note_sum(const std::string& sum) { other_sums_ += sum; }
   // The sums of all plans that were read, one after the other.
@@ -41,7 +44,7 @@ class Plans {
   std::vector<Note>& notes_;
   std::optional<vec2> origin_;
   double svg_scale_ = 1.0;
-  std::map<std::string, Plan> plans_;
+  std::map<std::pair<std::string, double>, Plan> plans_;  // by their paths and scales
   std::string other_sums_;
   std::vector<SharedFrame> frames_;
 };

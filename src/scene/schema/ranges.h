@@ -13,6 +13,8 @@ inline constexpr Range coordinate_range{-geometry::largest_coordinate_mm, geomet
 inline constexpr Range size_range{0.0, geometry::largest_coordinate_mm, true};
 // Of lines and points of a plan that become bands and discs.
 inline constexpr Range width_range{1.0, 100'000.0};
+// Of a drawing: millimetres in the world for one on its page.
+inline constexpr Range svg_scale_range{0.001, 100'000.0};
 // A quarter of an hour, in which a crack of any speed has crossed any pane that is worth a picture.
 inline constexpr Range time_us_range{0.0, 1e9};
 inline constexpr double largest_spall_mm = 10'000.0;

@@ -42,7 +42,9 @@ bool node_takes_plan(const toml::node& node, bool svg) {
   if (table == nullptr) return false;
   for (const auto& [key, value] : *table) {
     const auto* name = value.as_string();
-    if (name != nullptr && key.str().ends_with("_file") && is_svg(name->get()) == svg) return true;
+    // The drawing of a module has a scale of its own.
+    const bool of_a_plan = key.str().ends_with("_file") && key.str() != "module_file";
+    if (name != nullptr && of_a_plan && is_svg(name->get()) == svg) return true;
     if (node_takes_plan(value, svg)) return true;
   }
   return false;
@@ -146,7 +148,7 @@ const Section<PlanAsked, SceneFacts> plan_keys{
             .written("`[x, y]` in the units of the GeoJSON files")
             .by_default("the first outline, see below")
             .idle([](const SceneFacts& f) { return !f.takes_plan(false); }, "without a plan in GeoJSON"),
-        PlanRow::number("svg_scale", &PlanAsked::svg_scale, {0.001, 100'000.0},
+        PlanRow::number("svg_scale", &PlanAsked::svg_scale, svg_scale_range,
                         "millimetres in the world for one on an SVG page: 100 for a drawing in 1:100")
             .idle([](const SceneFacts& f) { return !f.takes_plan(true); }, "without a plan in SVG"),
     }};

@@ -52,6 +52,7 @@ const std::vector<BondCase> every_bond = {
     {"ashlar", Bond::ashlar, {140, 140}, 8, 3.2},
     {"crazy", Bond::crazy, {200, 200}, 10, 1.0},
     {"chevron", Bond::chevron, {300, 90}, 4, 1.0},
+    {"module", Bond::drawn_module, {180, 110}, 6, 1.0},  // none is drawn: stones of that size; others in module_test.cpp
 };
 
 TEST(Bonds, AreAllAmongEveryBond) {

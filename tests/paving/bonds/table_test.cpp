@@ -164,6 +164,7 @@ std::string keys_words(const BondType& type) {
   std::string keys;
   if (type.takes_offset) keys += "`bond_offset`";
   if (type.takes_span) keys += "`bond_span_mm`";
+  if (type.takes_module) keys += "`module_file`, `module_mm` and [others](scene-file.md#modules)";
   return keys.empty() ? "–" : keys;
 }
 

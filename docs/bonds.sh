@@ -10,30 +10,6 @@ start_sheet bonds.svg "$@"
 "$command" export "$root/scenes/bonds.toml" -o "$scratch" --seed "$seed" --target svg >/dev/null
 names=$(sed -n 's/^name *= *"\(.*\)"$/\1/p' "$root/scenes/bonds.toml")
 
-# paths DRAWING: its outline, and its stones as one path of each kind, in whole millimetres: less than a pixel of the sheet.
-paths() {
-  awk -F'"' '
-    /<path class="outline"/ { printf "<path class=\"outline\" d=\"%s\"/>\n", $6 }
-    # One polygon after another, relative to its first corner; its classes are "stone", its part and its kind.
-    /<polygon class="stone/ {
-      split($2, kind, " ")
-      n = split($6, points, " ")
-      d = ""
-      for (i = 1; i <= n; ++i) {
-        split(points[i], p, ",")
-        x = sprintf("%.0f", p[1]); y = sprintf("%.0f", p[2])
-        if (i == 1) d = "M" x " " y "l"
-        else d = d (x - px < 0 || i == 2 ? "" : " ") (x - px) (y - py < 0 ? "" : " ") (y - py)
-        px = x; py = y
-      }
-      all[kind[3]] = all[kind[3]] d "z"
-    }
-    END {
-      split("whole cut", kinds, " ")
-      for (i = 1; i in kinds; ++i) printf "<path class=\"%s\" d=\"%s\"/>\n", kinds[i], all[kinds[i]]
-    }' "$1"
-}
-
 # Rows of four plans; each plan takes 6,650 × 4,500 mm, with its name below.
 page() {
   cat <<'HEAD'
@@ -54,7 +30,7 @@ HEAD
     box=$(awk -F'viewBox="' 'NF > 1 { split($2, at, " "); printf "%.0f %.0f", -at[1], -at[2]; exit }' "$scratch/bonds-$name.svg")
     ((column = place % 4, row = place / 4, x = 400 + column * 7000, y = 300 + row * 5300)) || true
     printf '<g transform="translate(%d %d) translate(%s)">\n' "$x" "$y" "$box"
-    paths "$scratch/bonds-$name.svg"
+    stone_paths "$scratch/bonds-$name.svg"
     printf '</g>\n<text x="%d" y="%d">%s</text>\n' "$((x + 3300))" "$((y + 4850))" "${name//_/ }"
     ((++place))
   done <<<"$names"

@@ -37,9 +37,11 @@ end_sheet() {
 }
 
 # crack_paths DRAWING: its cracks, as one path a kind: relative, in tenths of a millimetre, which halves the size of the plate and is
-# less than a pixel of it.
+# less than a pixel of it. Those of a far sheet are of the class `far`, too, and come first.
 crack_paths() {
   awk -F'"' '
+    /<g id="far-cracks">/ { far = "far " }
+    /<\/g>/ { far = "" }
     /<polyline class="crack/ {
       split($2, kind, " ")
       n = split($6, points, " ")
@@ -53,10 +55,39 @@ crack_paths() {
         else d = d (x - px < 0 || substr(d, length(d)) == "l" ? "" : " ") (x - px) (y - py < 0 ? "" : " ") (y - py)
         px = x; py = y
       }
-      all[kind[2]] = all[kind[2]] d
+      # Shorter than a step: a path that draws nothing would end all after it.
+      if (d ~ /l$/) next
+      all[far kind[2]] = all[far kind[2]] d
+    }
+    function put(kind) { printf "<path class=\"%s\" d=\"%s\"/>\n", kind, all[kind] }
+    END {
+      count = split("radial large circular branch dice rung chip", kinds, " ")
+      for (i = 1; i <= count; ++i) if ("far " kinds[i] in all) put("far " kinds[i])
+      # The first three are on each page, also where a pane has none.
+      for (i = 1; i <= count; ++i) if (i <= 3 || kinds[i] in all) put(kinds[i])
+    }' "$1"
+}
+
+# stone_paths DRAWING: its outline, and its stones as one path of each kind, in whole millimetres: less than a pixel of a sheet.
+stone_paths() {
+  awk -F'"' '
+    /<path class="outline"/ { printf "<path class=\"outline\" d=\"%s\"/>\n", $6 }
+    # One polygon after another, relative to its first corner; its classes are "stone", its part and its kind.
+    /<polygon class="stone/ {
+      split($2, kind, " ")
+      n = split($6, points, " ")
+      d = ""
+      for (i = 1; i <= n; ++i) {
+        split(points[i], p, ",")
+        x = sprintf("%.0f", p[1]); y = sprintf("%.0f", p[2])
+        if (i == 1) d = "M" x " " y "l"
+        else d = d (x - px < 0 || i == 2 ? "" : " ") (x - px) (y - py < 0 ? "" : " ") (y - py)
+        px = x; py = y
+      }
+      all[kind[3]] = all[kind[3]] d "z"
     }
     END {
-      split("radial large circular", kinds, " ")
+      split("whole cut", kinds, " ")
       for (i = 1; i in kinds; ++i) printf "<path class=\"%s\" d=\"%s\"/>\n", kinds[i], all[kinds[i]]
     }' "$1"
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The plate of the twelve presets: whole, the same each time, and refused where a caption is not what the pane is. The sheets of bonds and
-# of both laws of growth are those that are in the pages.
+# The plate of the twelve presets: whole, the same each time, and refused where a caption is not what the pane is. The sheets of bonds,
+# of knobs and of both laws of growth are those that are in the pages.
 #   plate_test.sh BUILD
 # shellcheck source=tests/scripts/test_kit.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/test_kit.sh"
@@ -45,5 +45,10 @@ grep -q "other counts than their captions" "$scratch/said" || fail "a wrong capt
 
 "$root/docs/bonds.sh" --command "$command" "$scratch/bonds.svg" >"$scratch/said"
 cmp "$scratch/bonds.svg" "$root/docs/pictures/bonds.svg" || fail "docs/pictures/bonds.svg shows other stones: docs/bonds.sh draws it"
+for what in glass paving; do
+  "$root/docs/knobs.sh" "$what" --command "$command" "$scratch/knobs.svg" >"$scratch/said"
+  cmp "$scratch/knobs.svg" "$root/docs/pictures/knobs_$what.svg" || fail "docs/pictures/knobs_$what.svg shows others: docs/knobs.sh draws it"
+done
+ends 2 "$root/docs/knobs.sh" wood
 "$root/docs/laws.sh" --command "$command" "$scratch/laws.svg" >"$scratch/said"
 cmp "$scratch/laws.svg" "$root/docs/pictures/growth_laws.svg" || fail "docs/pictures/growth_laws.svg shows other cracks: docs/laws.sh draws it"

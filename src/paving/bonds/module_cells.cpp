@@ -1,5 +1,3 @@
-// Stones of a pattern lie on a torus: positions that differ by whole multiples of the two vectors are the same. So all that
-// compares stones asks for the repeats of one that may meet another, by their extents in parts of the two vectors.
 #include "paving/bonds/module_cells.h"
 
 #include <fmt/format.h>
@@ -15,6 +13,9 @@
 #include "geometry/hull.h"
 #include "geometry/inscribed_circle.h"
 #include "geometry/lattice.h"
+#include "geometry/segment_distance.h"
+#include "paving/bonds/module_corners.h"
+#include "paving/bonds/module_repeats.h"
 #include "paving/limits.h"
 #include "paving/tiles/cutting.h"
 #include "paving/tiles/stock.h"
@@ -27,190 +28,10 @@ using geometry::Box;
 using geometry::Polygon;
 using geometry::Region;
 
-// Corners that lie nearer to the line between their neighbours are none: two of them are rounded to the lattice.
-constexpr double least_bend_mm = 0.0015;
-
-// The points at which the pattern repeats.
-class Repeats {
- public:
-  Repeats(vec2 first, vec2 second) : along_(first), across_(second) {
-    // Lagrange's reduction, after which both are as short as they can be.
-    constexpr int most_steps = 100;  // each at least halves the longer one
-    for (int step = 0; step < most_steps; ++step) {
-      if (glm::dot(across_, across_) < glm::dot(along_, along_)) std::swap(along_, across_);
-      const double times = glm::dot(along_, across_) / glm::dot(along_, along_);
-      constexpr double half = 0.5 + 1e-9;
-      if (!(std::abs(times) > half)) break;
-      across_ -= std::round(times) * along_;
-    }
-    if (cross(along_, across_) < 0.0) across_ = -across_;
-    area_ = cross(along_, across_);
-  }
-
-  vec2 along() const { return along_; }
-  vec2 across() const { return across_; }
-  double area() const { return area_; }
-  vec2 at(vec2 parts) const { return parts.x * along_ + parts.y * across_; }
-  // A point in parts of the two vectors.
-  vec2 parts_of(vec2 p) const { return {cross(p, across_) / area_, cross(along_, p) / area_}; }
-  // How far a disc of that radius reaches, in parts of the two vectors.
-  vec2 extent_of(double radius_mm) const { return radius_mm / area_ * vec2{glm::length(across_), glm::length(along_)}; }
-  // The least of all vectors from the point to one at which the pattern repeats: exact where it is shorter than a quarter of
-  // `along`.
-  vec2 nearest(vec2 p) const {
-    const vec2 parts = parts_of(p);
-    return at({std::round(parts.x), std::round(parts.y)});
-  }
-
- private:
-  vec2 along_;
-  vec2 across_;
-  double area_ = 0.0;
-};
-
-// In parts of the vectors.
-Box extent_in(const Repeats& repeats, const Polygon& polygon) {
-  Box box{repeats.parts_of(polygon.front()), repeats.parts_of(polygon.front())};
-  for (const vec2& p : polygon) box = {glm::min(box.low, repeats.parts_of(p)), glm::max(box.high, repeats.parts_of(p))};
-  return box;
-}
-
-// Calls act(times) for each way by which `other` repeats so that it may meet `one`, both in parts of the vectors.
-template <typename Act>
-void for_repeats(const Box& one, const Box& other, const Act& act) {
-  constexpr double rounding = 1e-9;
-  const vec2 from = glm::ceil(one.low - other.high - rounding);
-  const vec2 to = glm::floor(one.high - other.low + rounding);
-  for (double j = from.y; j <= to.y; ++j) {
-    for (double i = from.x; i <= to.x; ++i) act(vec2{i, j});
-  }
-}
-
-Polygon moved(Polygon polygon, vec2 by) {
-  for (vec2& p : polygon) p = geometry::on_lattice(p + by);
-  return polygon;
-}
-
 double border_length_mm(const Polygon& polygon) {
   double length = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) length += glm::length(polygon[(i + 1) % polygon.size()] - polygon[i]);
   return length;
-}
-
-// A corner of a shape: a point that it shares with others, and by which vector that is repeated.
-struct Corner {
-  std::size_t point = 0;
-  vec2 shift{0.0, 0.0};
-};
-
-double distance_mm(vec2 p, vec2 a, vec2 b, vec2* foot = nullptr) {
-  const vec2 d = b - a;
-  const double at = std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0.0, 1.0);
-  const vec2 nearest = a + at * d;
-  if (foot != nullptr) *foot = nearest;
-  return glm::length(p - nearest);
-}
-
-// The corners of all shapes, in which those that are meant to be one are one.
-class Corners {
- public:
-  Corners(const std::vector<Polygon>& shapes, const Repeats& repeats) : repeats_(repeats) {
-    shapes_.reserve(shapes.size());
-    for (const Polygon& shape : shapes) {
-      std::vector<Corner>& corners = shapes_.emplace_back();
-      corners.reserve(shape.size());
-      for (const vec2& p : shape) corners.push_back(corner_at(p));
-    }
-    for (std::size_t i = 0; i < points_.size(); ++i) move_to_side(i);
-  }
-
-  std::vector<Polygon> shapes() const {
-    std::vector<Polygon> result;
-    result.reserve(shapes_.size());
-    for (const std::vector<Corner>& corners : shapes_) {
-      Polygon& shape = result.emplace_back();
-      for (const Corner& corner : corners) shape.push_back(points_[corner.point] + corner.shift);
-    }
-    return result;
-  }
-
- private:
-  Corner corner_at(vec2 p) {
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const vec2 shift = repeats_.nearest(p - points_[i]);
-      if (glm::length(p - points_[i] - shift) <= module_tolerance_mm) return {i, shift};
-    }
-    points_.push_back(p);
-    return {points_.size() - 1, {0.0, 0.0}};
-  }
-
-  // Onto the first side that passes by it, if there is one.
-  void move_to_side(std::size_t point) {
-    for (const std::vector<Corner>& corners : shapes_) {
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Corner& from = corners[i];
-        const Corner& to = corners[(i + 1) % corners.size()];
-        if (from.point == point || to.point == point) continue;
-        if (move_onto(point, points_[from.point] + from.shift, points_[to.point] + to.shift)) return;
-      }
-    }
-  }
-
-  bool move_onto(std::size_t point, vec2 a, vec2 b) {
-    if (a == b) return false;
-    const vec2 room = repeats_.extent_of(module_tolerance_mm);
-    const Box side{glm::min(repeats_.parts_of(a), repeats_.parts_of(b)) - room,
-                   glm::max(repeats_.parts_of(a), repeats_.parts_of(b)) + room};
-    const vec2 at = repeats_.parts_of(points_[point]);
-    bool found = false;
-    for_repeats(side, {at, at}, [&](vec2 times) {
-      const vec2 shift = repeats_.at(times);
-      vec2 foot;
-      if (found || distance_mm(points_[point] + shift, a, b, &foot) > module_tolerance_mm) return;
-      // Beside an end it is a corner of its own.
-      if (std::min(glm::length(foot - a), glm::length(foot - b)) <= module_tolerance_mm) return;
-      points_[point] = foot - shift;
-      found = true;
-    });
-    return found;
-  }
-
-  const Repeats& repeats_;
-  std::vector<vec2> points_;
-  std::vector<std::vector<Corner>> shapes_;
-};
-
-// Without corners that are none, still unrounded; empty where nothing is left.
-Polygon without_straight_corners(const Polygon& polygon) {
-  Polygon kept = polygon;
-  for (std::size_t i = 0; i < kept.size() && kept.size() >= 3;) {
-    const vec2 before = kept[(i + kept.size() - 1) % kept.size()];
-    const vec2 after = kept[(i + 1) % kept.size()];
-    if (before == after || distance_mm(kept[i], before, after) <= least_bend_mm) {
-      kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
-      i = i > 0 ? i - 1 : 0;
-    } else {
-      ++i;
-    }
-  }
-  return kept.size() < 3 ? Polygon() : kept;
-}
-
-bool is_sound(const Polygon& polygon) {
-  if (polygon.size() < 3) return false;
-  const Polygon rounded = moved(polygon, {0.0, 0.0});
-  return std::ranges::adjacent_find(rounded) == rounded.end() && rounded.front() != rounded.back() &&
-         geometry::is_simple(rounded) && geometry::area(rounded) > 0.0;
-}
-
-// The shapes with corners that are meant to be one made one; a shape that would not bear it stays as it is.
-std::vector<Polygon> welded(const std::vector<Polygon>& shapes, const Repeats& repeats) {
-  std::vector<Polygon> result = Corners(shapes, repeats).shapes();
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = without_straight_corners(result[i]);
-    if (!is_sound(result[i])) result[i] = shapes[i];
-  }
-  return result;
 }
 
 // Two shapes that lie over one another, and how far.
@@ -269,7 +90,7 @@ double distance_below_mm(vec2 p, const Polygon& shape, double most_mm) {
     const vec2 a = shape[i];
     const vec2 b = shape[(i + 1) % shape.size()];
     const Box near{glm::min(a, b) - least, glm::max(a, b) + least};
-    if (geometry::boxes_meet(near, {p, p})) least = std::min(least, distance_mm(p, a, b));
+    if (geometry::boxes_meet(near, {p, p})) least = std::min(least, geometry::distance_to_segment(p, a, b));
   }
   return least;
 }

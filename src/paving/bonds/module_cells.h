@@ -49,8 +49,7 @@ struct DrawnModule {
 //   - the vectors are parallel or shorter than the least stone;
 //   - shapes overlap one another or their own repeats by more than the tolerance;
 //   - more stays bare than joints: gaps wider than `joint_mm` or of several widths, or a spot, as rounded corners leave, that
-//   is
-//     wider than a tenth of the smallest stone's length (`widest_bare`);
+//     is wider than a tenth of the smallest stone's length (`widest_bare`);
 //   - a stone is narrower than `stone_bounds_mm.low` without its half joints, or falls apart.
 void lay_as_drawn(Pavement& pavement, const DrawnModule& drawn);
 

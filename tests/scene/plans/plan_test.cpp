@@ -274,7 +274,7 @@ TEST(Svg, ErrorsNameTheElement) {
             "a.svg:2:2: rect: expected coordinates from -1000000 to 1000000 mm, got (264583333.33333334, 0)");
   // Lines that hang together far beyond what whole numbers hold.
   EXPECT_EQ(error("<path d=\"M0 0L1e300 0\" fill=\"none\"/><path d=\"M1e300 0L5 5\" fill=\"none\"/>"),
-            "a.svg:2:2: path: expected coordinates from -1000000 to 1000000 mm, got (2.645833333333333e+299, 0)");
+            "a.svg:2:2: path: expected coordinates from -1000000 to 1000000 mm, got (2.6458333333333337e+299, 0)");
   EXPECT_EQ(error("<rect width=\"9\" height=\"9\"/>", "viewBox=\"0 0 0 9\""),
             "a.svg:1:2: svg: expected a viewBox of x y width height, got another");
   EXPECT_TRUE(message_of([] { plan_of_svg("<svg><", "a.svg"); }).starts_with("a.svg:1:6: expected XML, got an error: "));

@@ -137,7 +137,7 @@ def main():
     check_stones(stones, geometry)
     check_quantities(table(f"{folder}/{scene}-quantities.csv"), geometry, stones)
     points = [(pane["name"], str(crack["id"]), crack["kind"], str(crack["impact"]), str(i), x, y)
-              for pane in geometry["panes"] for crack in pane["cracks"] for i, (x, y) in enumerate(crack["points_mm"])]
+              for pane in geometry["panes"] for crack in [*pane["cracks"], *pane.get("far_cracks", [])] for i, (x, y) in enumerate(crack["points_mm"])]
     rows = table(f"{folder}/{scene}-cracks.csv")
     expect(len(rows) == len(points), f"{len(points)} points of cracks, not {len(rows)}")
     for row, (*names, x, y) in zip(rows, points):

@@ -36,11 +36,11 @@ build_sanitized() {
     cmake --build "$folder" --target "${targets[@]}" --parallel "$(nproc)"
 }
 
-# build_readers TARGET…: what meets users' files, and what it is made of, under the sanitizers of addresses and undefined behaviour, by
-# Clang, which has libFuzzer, in build-fuzz; with the flags of the variable READERS_FLAGS.
+# build_readers DIR FLAGS [-DOPTION… | TARGET…]: what meets users' files, and what it is made of, under the sanitizers of addresses and
+# undefined behaviour.
 build_readers() {
-  CXX=clang++ build_sanitized build-fuzz address,undefined "${READERS_FLAGS:--O1 -g1}" -DSHATTERPAVE_FUZZ=ON \
-    '-DSHATTERPAVE_ROOMS=core;studio;geometry;glass;paving;scene' '-DSHATTERPAVE_TEST_ROOMS=support;core;geometry;scene' "$@"
+  build_sanitized "$1" address,undefined "$2" '-DSHATTERPAVE_ROOMS=core;studio;geometry;glass;paving;scene' \
+    '-DSHATTERPAVE_TEST_ROOMS=support;core;geometry;scene' "${@:3}"
 }
 
 # tests_of DIR LABEL…: the names of the tests of GoogleTest in that build that have one of the labels, as a filter.

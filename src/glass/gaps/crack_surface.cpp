@@ -415,7 +415,9 @@ std::vector<CrackSurface> gaps_through(const Pane& pane, const Sheet& sheet, con
                                        const CrackSurfaces& impacts, std::uint64_t seed) {
   const auto now = pane.time_us ? std::optional(network_at(pane, network, *pane.time_us)) : std::nullopt;
   const Builder builder(pane, sheet, network, impacts, seed);
-  const std::vector<std::vector<Walls>> all = builder.all_walls();
+  // Of all that come to be, so that nothing is left out at one time and there at another.
+  const std::vector<std::vector<Walls>> all =
+      without_meetings(builder.all_walls(), [&](std::size_t path, const Walls& walls) { return builder.surface(path, walls); });
   std::vector<std::vector<CrackSurface>> of_paths(all.size());
   parallel_for(all.size(), [&](std::size_t i) {
     std::vector<Walls> own = all[i];
@@ -424,7 +426,7 @@ std::vector<CrackSurface> gaps_through(const Pane& pane, const Sheet& sheet, con
   });
   std::vector<CrackSurface> surfaces;
   for (std::vector<CrackSurface>& of_path : of_paths) std::ranges::move(of_path, std::back_inserter(surfaces));
-  return without_meetings(std::move(surfaces));
+  return surfaces;
 }
 
 }  // namespace

@@ -95,12 +95,25 @@ bool meet(const std::vector<Triangle>& a, const std::vector<Triangle>& b) {
       a, [&](const Triangle& s) { return std::ranges::any_of(b, [&](const Triangle& t) { return meet(s, t); }); });
 }
 
-// What is left of a surface without the stretches that are `out`.
-void append_rest(const CrackSurface& surface, const std::vector<bool>& out, std::vector<CrackSurface>& rest) {
+Walls columns_of(const Walls& walls, std::size_t first, std::size_t end) {
+  Walls part{walls.rows, {}, {}, {}};
+  const auto cut = [&](const std::vector<vec3>& from, std::vector<vec3>& to) {
+    to.assign(from.begin() + static_cast<std::ptrdiff_t>(first * walls.rows),
+              from.begin() + static_cast<std::ptrdiff_t>(end * walls.rows));
+  };
+  cut(walls.left, part.left);
+  cut(walls.right, part.right);
+  part.along_mm.assign(walls.along_mm.begin() + static_cast<std::ptrdiff_t>(first),
+                       walls.along_mm.begin() + static_cast<std::ptrdiff_t>(end));
+  return part;
+}
+
+// What is left of walls without the stretches that are `out`.
+void append_rest(const Walls& walls, const std::vector<bool>& out, std::vector<Walls>& rest) {
   for (std::size_t c = 0; c < out.size();) {
     std::size_t end = c;
     while (end < out.size() && !out[end]) ++end;
-    if (end > c) rest.push_back(columns_of(surface, c, end + 1));
+    if (end > c) rest.push_back(columns_of(walls, c, end + 1));
     c = end + 1;
   }
 }
@@ -135,29 +148,30 @@ std::vector<GapStretch> meeting_stretches(const std::vector<CrackSurface>& surfa
   return result;
 }
 
-std::vector<CrackSurface> without_meetings(std::vector<CrackSurface> surfaces) {
-  for (std::vector<GapStretch> meeting = meeting_stretches(surfaces); !meeting.empty(); meeting = meeting_stretches(surfaces)) {
-    std::vector<CrackSurface> left;
-    left.reserve(surfaces.size());
-    std::size_t next = 0;
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      std::vector<bool> out(surfaces[s].columns() - 1, false);
-      bool any = false;
-      for (; next < meeting.size() && meeting[next].surface == s; ++next) {
-        any = true;
-        const std::size_t column = meeting[next].column;
-        for (std::size_t c = column - std::min<std::size_t>(column, 1); c <= std::min(column + 1, out.size() - 1); ++c)
-          out[c] = true;
-      }
-      if (any) {
-        append_rest(surfaces[s], out, left);
-      } else {
-        left.push_back(std::move(surfaces[s]));
-      }
+std::vector<std::vector<Walls>> without_meetings(std::vector<std::vector<Walls>> of_paths, const SurfaceOf& surface_of) {
+  while (true) {
+    std::vector<CrackSurface> surfaces;
+    for (std::size_t path = 0; path < of_paths.size(); ++path) {
+      for (const Walls& walls : of_paths[path]) surfaces.push_back(surface_of(path, walls));
     }
-    surfaces = std::move(left);
+    const std::vector<GapStretch> meeting = meeting_stretches(surfaces);
+    if (meeting.empty()) return of_paths;
+    std::size_t surface = 0;
+    std::size_t next = 0;
+    for (std::vector<Walls>& own : of_paths) {
+      std::vector<Walls> rest;
+      for (const Walls& walls : own) {
+        std::vector<bool> out(walls.columns() - 1, false);
+        for (; next < meeting.size() && meeting[next].surface == surface; ++next) {
+          const std::size_t column = meeting[next].column;
+          out[column - std::min<std::size_t>(column, 1)] = out[column] = out[std::min(column + 1, out.size() - 1)] = true;
+        }
+        append_rest(walls, out, rest);
+        ++surface;
+      }
+      own = std::move(rest);
+    }
   }
-  return surfaces;
 }
 
 }  // namespace shatterpave::glass

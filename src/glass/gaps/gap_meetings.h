@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "glass/gaps/crack_surface.h"
+#include "glass/gaps/crack_walls.h"
 
 namespace shatterpave::glass {
 
@@ -20,8 +22,9 @@ struct GapStretch {
 // each once. Surfaces of one crack are not held against each other. Time goes with the number of stretches.
 std::vector<GapStretch> meeting_stretches(const std::vector<CrackSurface>& surfaces);
 
-// The surfaces, of which no two meet: stretches that do are left out of the later one, with one more to either side. Those that
-// meet none stay as they are.
-std::vector<CrackSurface> without_meetings(std::vector<CrackSurface> surfaces);
+// The walls of all paths, of whose surfaces no two meet: stretches that do are left out of the later one, with one more to
+// either side. Walls that meet none stay as they are. `surface_of` gives the surface of walls of a path.
+using SurfaceOf = std::function<CrackSurface(std::size_t path, const Walls& walls)>;
+std::vector<std::vector<Walls>> without_meetings(std::vector<std::vector<Walls>> of_paths, const SurfaceOf& surface_of);
 
 }  // namespace shatterpave::glass

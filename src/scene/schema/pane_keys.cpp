@@ -232,11 +232,13 @@ const Section<Laminated, PaneFacts> laminate_keys{
             "far_cracks", &Laminated::far_cracks, {0.0, 1.0},
             "cracks of the sheet away from the impact, as a part of those of the sheet that is hit: they grow by "
             "themselves, so that the two cross")
-            .idle(with_shards, beside_shards),
+            .idle(with_shards, beside_shards)
+            .idle(with_cracks_file, beside_cracks_file),
         LaminateRow::number("film_mm", &Laminated::film_mm, {0.01, 100.0},
                             "thickness of the film between the sheets, at most half that of the pane")
             .by_default("0.76, at most a quarter of the thickness")
-            .idle(with_shards, beside_shards),
+            .idle(with_shards, beside_shards)
+            .idle(with_cracks_file, beside_cracks_file),
         LaminateRow::number("through", &Laminated::through, {0.0, 1.0},
                             "of a pane with shards: part of the cracks that run through both sheets")
             .idle(without_shards, "without shards"),

@@ -63,7 +63,7 @@ struct PavedArea {
 inline const std::string& stem_of(const BrokenPane& broken) { return broken.stem.empty() ? broken.pane.name : broken.stem; }
 inline const std::string& stem_of(const PavedArea& paved) { return paved.stem.empty() ? paved.pavement.name : paved.stem; }
 
-// The frames that paths are of.
+// The frames of what moves.
 struct ShotSpan {
   int first_frame = 1;
   int last_frame = 1;
@@ -81,6 +81,7 @@ struct Model {
   bool dispersion = false;
   bool caustics = false;
   std::optional<studio::Camera> camera{};            // not given: the setting's own
+  std::vector<studio::Camera> camera_path{};         // at each frame of the shot; empty: it stays as it is
   std::optional<studio::Light> light{};              // the same
   std::optional<studio::Environment> environment{};  // that `light` names
   std::optional<ShotSpan> shot{};                    // where something moves, for targets that hold it

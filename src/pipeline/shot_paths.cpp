@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -46,29 +47,40 @@ Paths paths_at(const exporting::BrokenPane& broken, const std::vector<double>& t
   return paths;
 }
 
+// Whether a value is another at another frame. One that some of the frames do not have is none.
+template <typename Value>
+bool changes(const std::vector<Value>& values, std::size_t frames) {
+  return values.size() == frames && std::ranges::adjacent_find(values, std::ranges::not_equal_to{}) != values.end();
+}
+
+bool may_move(const scene::FrameKey& key) { return key.set.starts_with("camera.") || key.set.ends_with(".time_s"); }
+
 }  // namespace
 
 void add_paths(exporting::Model& model, scene::Shot& shot) {
   const auto& frames = shot.still().frames;
-  if (!frames || !std::ranges::any_of(frames->keys, [](const scene::FrameKey& key) { return key.set.ends_with(".time_s"); })) {
-    return;
-  }
+  if (!frames || !std::ranges::any_of(frames->keys, may_move)) return;
   const scene::FrameSpan range = frames->range;
   std::vector<std::vector<double>> times_s(model.panes.size());
+  std::vector<studio::Camera> cameras;
   for (int frame = range.first; frame <= range.last; ++frame) {
     const scene::Scene scene = shot.at(frame);
+    if (scene.camera) cameras.push_back(*scene.camera);
     for (std::size_t i = 0; i < scene.panes.size() && i < times_s.size(); ++i) {
       const auto& shards = scene.panes[i].shards;
       if (shards && shards->time_s) times_s[i].push_back(*shards->time_s);
     }
   }
   const auto count = static_cast<std::size_t>(range.last - range.first) + 1;
+  const exporting::ShotSpan span{range.first, range.last, frames->per_second};
+  if (changes(cameras, count)) {
+    model.camera_path = std::move(cameras);
+    model.shot = span;
+  }
   for (std::size_t i = 0; i < times_s.size(); ++i) {
-    const bool moves =
-        times_s[i].size() == count && std::ranges::adjacent_find(times_s[i], std::ranges::not_equal_to{}) != times_s[i].end();
-    if (!moves) continue;
+    if (!changes(times_s[i], count)) continue;
     model.panes[i].paths = paths_at(model.panes[i], times_s[i], model.seed);
-    model.shot = exporting::ShotSpan{range.first, range.last, frames->per_second};
+    model.shot = span;
   }
 }
 

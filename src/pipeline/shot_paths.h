@@ -6,9 +6,9 @@
 
 namespace shatterpave::pipeline {
 
-// Gives the model of the shot's still the paths of the shards of those panes whose shards.time_s changes over the frames; else
-// it does nothing. At a frame a shard is where the scene at that frame has it. Throws InputError, at the frames' range, beyond
-// ten million places.
+// Gives the model of the shot's still the paths of its camera, and of the shards of those panes whose shards.time_s changes
+// over the frames; nothing where neither moves. At a frame each is where the scene at that frame has it. Throws InputError, at
+// the frames' range, beyond ten million places.
 void add_paths(exporting::Model& model, scene::Shot& shot);
 
 }  // namespace shatterpave::pipeline

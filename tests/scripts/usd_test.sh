@@ -147,7 +147,7 @@ for name in lit bricks; do
   "$python" "$here/usd_check.py" --plant "$scratch/out/$name.usda" "$scratch/out/$name.json"
 done
 
-# Pieces that fall are, at every frame, where the scene at that frame has them; in glTF as well.
+# Pieces that fall and a camera that moves are, at every frame, where the scene at that frame has them; in glTF as well.
 cat >"$scratch/falling.toml" <<'TOML'
 seed = 4
 [[pane]]
@@ -160,6 +160,12 @@ place_turn_deg = 30
 impact = [{at_mm = [150, 150], mean_radial_count = 24}]
 [pane.shards]
 missing = 0.5
+[camera]
+at_mm = [200, -900, 300]
+look_at_mm = [200, 200, 150]
+field_of_view_deg = 40
+focus_mm = 1000
+f_number = 2.8
 [still]
 setting = "own"
 [frames]
@@ -168,6 +174,15 @@ per_second = 12
 [[frames.key]]
 set = "pane[0].shards.time_s"
 at = [[3, 0], [14, 1.5]]
+[[frames.key]]
+set = "camera.at_mm"
+at = [[3, [200, -900, 300]], [14, [700, -600, 450]]]
+[[frames.key]]
+set = "camera.field_of_view_deg"
+at = [[3, 40], [14, 25]]
+[[frames.key]]
+set = "camera.focus_mm"
+at = [[3, 1000], [14, 800]]
 TOML
 exported "$scratch/falling.toml"
 "$build/shatterpave" export "$scratch/falling.toml" -o "$scratch/motion" --target gltf >/dev/null

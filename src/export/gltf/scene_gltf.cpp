@@ -157,19 +157,21 @@ class Writer {
     node.extras = tinygltf::Value(tinygltf::Value::Object{{"kind", tinygltf::Value(body.kind)}});
     place(node, body.placing);
     if (!body.is_seen) node.scale = {0.0, 0.0, 0.0};
-    if (!body.path.empty()) animate(static_cast<int>(gltf_.nodes.size()), body);
+    if (!body.path.empty()) animate("fall", static_cast<int>(gltf_.nodes.size()), body.placing, body.path);
     gltf_.nodes[static_cast<std::size_t>(thing_)].children.push_back(static_cast<int>(gltf_.nodes.size()));
     gltf_.nodes.push_back(std::move(node));
   }
 
-  // Keys of the node at each frame of the shot. One that is not to be seen is as small as nothing, where it was last.
-  void animate(int node, const shapes::Body& body) {
+  // Keys of the node at each frame of the shot, in the animation of that name. One that is not to be seen is as small as
+  // nothing, where it was last.
+  void animate(const std::string& name, int node, const shapes::Placing& first,
+               const std::vector<std::optional<shapes::Placing>>& path) {
     std::vector<float> shifts;
     std::vector<float> turns;
     std::vector<float> sizes;
-    shapes::Placing last = body.placing;
+    shapes::Placing last = first;
     std::vector<double> last_turn = rotation(last);
-    for (const std::optional<shapes::Placing>& placing : body.path) {
+    for (const std::optional<shapes::Placing>& placing : path) {
       last = placing.value_or(last);
       for (std::size_t axis = 0; axis < 3; ++axis) shifts.push_back(static_cast<float>(in_m(last.at_mm[axis])));
       std::vector<double> turn = rotation(last);
@@ -181,21 +183,22 @@ class Writer {
       sizes.insert(sizes.end(), 3, placing ? 1.0F : 0.0F);
     }
     if (gltf_.animations.empty()) {
-      gltf_.animations.emplace_back().name = "fall";
       std::vector<float> times;
-      for (std::size_t i = 0; i < body.path.size(); ++i) {
+      for (std::size_t i = 0; i < path.size(); ++i) {
         times.push_back(static_cast<float>(static_cast<double>(i) / model_.shot->per_second));
       }
       times_ = vectors(times, 1, TINYGLTF_TYPE_SCALAR, true, 0);
     }
+    if (gltf_.animations.empty() || gltf_.animations.back().name != name) gltf_.animations.emplace_back().name = name;
     add_channel(node, "translation", "LINEAR", vectors(shifts, 3, TINYGLTF_TYPE_VEC3, false, 0));
     add_channel(node, "rotation", "LINEAR", vectors(turns, 4, TINYGLTF_TYPE_VEC4, false, 0));
-    const bool is_always_seen = std::ranges::all_of(body.path, [](const auto& placing) { return placing.has_value(); });
+    const bool is_always_seen = std::ranges::all_of(path, [](const auto& placing) { return placing.has_value(); });
     if (!is_always_seen) add_channel(node, "scale", "STEP", vectors(sizes, 3, TINYGLTF_TYPE_VEC3, false, 0));
   }
 
+  // To the animation that was begun last.
   void add_channel(int node, const char* path, const char* between, int values) {
-    tinygltf::Animation& animation = gltf_.animations.front();
+    tinygltf::Animation& animation = gltf_.animations.back();
     tinygltf::AnimationSampler sampler;
     sampler.input = times_;
     sampler.output = values;
@@ -220,7 +223,11 @@ class Writer {
     tinygltf::Node seen_from;
     seen_from.name = camera.name;
     seen_from.camera = 0;
-    place(seen_from, shapes::placing_of(studio::view_of(stage.camera), stage.camera.at_mm));
+    place(seen_from, shapes::placing_of(stage.camera));
+    if (!stage.camera_path.empty()) {
+      const shapes::Placing still = shapes::placing_of(stage.camera);
+      animate("camera", static_cast<int>(gltf_.nodes.size()), still, shapes::camera_placings(stage));
+    }
     add_to_scene(std::move(seen_from));
 
     if (!stage.light.sun) return;

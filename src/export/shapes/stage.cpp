@@ -138,6 +138,7 @@ std::vector<vec3> extents_mm(const Model& model) {
 Stage stage_of(const Model& model) {
   Stage stage;
   stage.camera = model.camera ? *model.camera : camera_onto(model);
+  stage.camera_path = model.camera_path;
   stage.light = model.light ? *model.light : plain_light(stage.camera);
   if (model.environment) {
     stage.environment = *model.environment;
@@ -152,13 +153,25 @@ Stage stage_of(const Model& model) {
   return stage;
 }
 
-Placing placing_of(const studio::View& view, vec3 at_mm) { return placing(view.right, view.up, view.forward, at_mm); }
+Placing placing_of(const studio::Camera& camera) {
+  const studio::View view = studio::view_of(camera);
+  return placing(view.right, view.up, view.forward, camera.at_mm);
+}
+
+std::vector<std::optional<Placing>> camera_placings(const Stage& stage) {
+  std::vector<std::optional<Placing>> path;
+  path.reserve(stage.camera_path.size());
+  for (const studio::Camera& camera : stage.camera_path) path.emplace_back(placing_of(camera));
+  return path;
+}
 
 Placing placing_of(const studio::Sun& sun) {
   studio::Camera along;
   along.at_mm = studio::direction_to(sun);
   along.look_at_mm = {0.0, 0.0, 0.0};
-  return placing_of(studio::view_of(along), {0.0, 0.0, 0.0});
+  Placing turned = placing_of(along);
+  turned.at_mm = {0.0, 0.0, 0.0};
+  return turned;
 }
 
 }  // namespace shatterpave::exporting::shapes

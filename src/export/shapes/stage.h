@@ -1,6 +1,7 @@
 // How the things of a model are seen and lit in mesh targets: as the scene says, or else as its things ask for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,10 @@
 namespace shatterpave::exporting::shapes {
 
 struct Stage {
-  studio::Camera camera;            // in the world
-  studio::Light light;              // exposure not yet in its gains
-  studio::Environment environment;  // in focus: the picture that the scene names, or a plain sky
+  studio::Camera camera;                    // in the world
+  std::vector<studio::Camera> camera_path;  // at each frame of the model's shot; empty: it stays
+  studio::Light light;                      // exposure not yet in its gains
+  studio::Environment environment;          // in focus: the picture that the scene names, or a plain sky
   std::string
       environment_name;  // of its file beside the target's: SCENE_environment.ENDING; out of focus another, always of EXR
 };
@@ -26,7 +28,9 @@ struct Stage {
 Stage stage_of(const Model& model);
 
 // Of a camera, or of light that shines along its view: from axes x right, y up, −z forward to the frame of the bodies.
-Placing placing_of(const studio::View& view, vec3 at_mm);
+Placing placing_of(const studio::Camera& camera);
+// At each frame of the model's shot, each there; empty where the camera stays.
+std::vector<std::optional<Placing>> camera_placings(const Stage& stage);
 // Of the sun; where it stands makes no difference.
 Placing placing_of(const studio::Sun& sun);
 

@@ -141,34 +141,6 @@ void put_shift(PrimText& text, const shapes::Placing& placing) {
   text.line("double3 xformOp:translate = {}", shift_text(placing));
 }
 
-// The body's placing at each frame. A time without a sample has that between its neighbours; what is seen no more keeps its
-// place.
-void put_path(PrimText& text, const std::vector<std::optional<shapes::Placing>>& path, int first_frame, bool is_seen) {
-  std::vector<std::string> turns;
-  std::vector<std::string> shifts;
-  std::vector<std::string> seen;
-  std::array<double, 4> last{0.0, 0.0, 0.0, 1.0};
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const int frame = first_frame + static_cast<int>(i);
-    if (i == 0 || path[i].has_value() != path[i - 1].has_value()) {
-      seen.push_back(fmt::format("{}: {}", frame, path[i] ? "\"inherited\"" : "\"invisible\""));
-    }
-    if (!path[i]) continue;
-    // A turn has two quaternions: the one that is nearer to that before, so that what is between two samples is too.
-    std::array<double, 4> turn = shapes::quaternion(*path[i]);
-    if (std::inner_product(turn.begin(), turn.end(), last.begin(), 0.0) < 0.0) {
-      for (double& part : turn) part = -part;
-    }
-    last = turn;
-    turns.push_back(fmt::format("{}: {}", frame, turn_text(turn)));
-    shifts.push_back(fmt::format("{}: {}", frame, shift_text(*path[i])));
-  }
-  if (!is_seen) text.line("token visibility = \"invisible\"");
-  if (seen.size() > 1) text.line("token visibility.timeSamples = {{ {} }}", fmt::join(seen, ", "));
-  text.line("quatf xformOp:orient.timeSamples = {{ {} }}", fmt::join(turns, ", "));
-  text.line("double3 xformOp:translate.timeSamples = {{ {} }}", fmt::join(shifts, ", "));
-}
-
 // Ids and kinds are custom attributes in the name space that Houdini, Maya and Blender take for users' own.
 void put_placed(PrimText& text, const shapes::Body& body, int first_frame) {
   const std::string_view id = id_of(body);
@@ -195,6 +167,33 @@ std::string instance_text(const shapes::Body& body, const ThingPlace& place) {
 }
 
 }  // namespace
+
+// A time without a sample has the place between its neighbours; what is seen no more keeps its place.
+void put_path(PrimText& text, const std::vector<std::optional<shapes::Placing>>& path, int first_frame, bool is_seen) {
+  std::vector<std::string> turns;
+  std::vector<std::string> shifts;
+  std::vector<std::string> seen;
+  std::array<double, 4> last{0.0, 0.0, 0.0, 1.0};
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const int frame = first_frame + static_cast<int>(i);
+    if (i == 0 || path[i].has_value() != path[i - 1].has_value()) {
+      seen.push_back(fmt::format("{}: {}", frame, path[i] ? "\"inherited\"" : "\"invisible\""));
+    }
+    if (!path[i]) continue;
+    // A turn has two quaternions: the one that is nearer to that before, so that what is between two samples is too.
+    std::array<double, 4> turn = shapes::quaternion(*path[i]);
+    if (std::inner_product(turn.begin(), turn.end(), last.begin(), 0.0) < 0.0) {
+      for (double& part : turn) part = -part;
+    }
+    last = turn;
+    turns.push_back(fmt::format("{}: {}", frame, turn_text(turn)));
+    shifts.push_back(fmt::format("{}: {}", frame, shift_text(*path[i])));
+  }
+  if (!is_seen) text.line("token visibility = \"invisible\"");
+  if (seen.size() > 1) text.line("token visibility.timeSamples = {{ {} }}", fmt::join(seen, ", "));
+  text.line("quatf xformOp:orient.timeSamples = {{ {} }}", fmt::join(turns, ", "));
+  text.line("double3 xformOp:translate.timeSamples = {{ {} }}", fmt::join(shifts, ", "));
+}
 
 void put_placing(PrimText& text, const shapes::Placing& placing) {
   put_turn(text, placing);

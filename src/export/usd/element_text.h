@@ -1,6 +1,7 @@
 // The elements of a pane or a pavement as prims.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct ThingPlace {
 
 // The operations that place a prim: first turned, then moved.
 void put_placing(PrimText& text, const shapes::Placing& placing);
+
+// The placing at each frame from the first on, as time samples: nothing where the prim is not seen. `is_seen` is of the still.
+void put_path(PrimText& text, const std::vector<std::optional<shapes::Placing>>& path, int first_frame, bool is_seen);
 
 // What a body is called below its thing: "slab", "shard_c12l3", "crack_4", "stone_17", "joints" …
 std::string element_name(const shapes::Body& body);

@@ -39,7 +39,7 @@ class Writer {
         [&](shapes::Body&& body) { take(std::move(body)); });
     end_thing();
     text.end();  // geometry
-    put_stage(text, stage);
+    put_stage(text, stage, first_frame());
     text.end();  // the scene
     put_render_settings(text, stage, fmt::format("/{}/camera", root_));
     if (body_count_ == 0) throw InputError("target usd: expected a body, got none: every piece is gone");
@@ -84,10 +84,12 @@ class Writer {
     return metadata;
   }
 
+  int first_frame() const { return model_.shot ? model_.shot->first_frame : 1; }
+
   void begin(const std::string& name) {
     end_thing();
     const std::string own = identifier(name);
-    place_ = {fmt::format("/{}/geometry/{}", root_, own), 3, &materials_.all, model_.shot ? model_.shot->first_frame : 1};
+    place_ = {fmt::format("/{}/geometry/{}", root_, own), 3, &materials_.all, first_frame()};
     PrimText(out_, 2).begin("def Xform", own, with_name({"kind = \"component\""}, name, own));
     is_used_.assign(materials_.all.size(), false);
     prototypes_.clear();

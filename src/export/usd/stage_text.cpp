@@ -1,5 +1,12 @@
 #include "export/usd/stage_text.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "core/angle.h"
 #include "export/usd/element_text.h"
 
@@ -16,18 +23,41 @@ constexpr std::string_view clipping_m = "(0.01, 10000)";
 // Short, and exact to what a `float` holds.
 double as_float(double value) { return static_cast<double>(in_parts(value, parts_of_m)) / parts_of_m; }
 
-void put_camera(PrimText& text, const studio::Camera& camera) {
+double focal_length(const studio::Camera& camera) { return as_float(studio::focal_length_mm(camera) / mm_per_tenth); }
+
+double focus_distance(const studio::Camera& camera) {
+  return as_float(camera.focus_mm.value_or(glm::length(camera.look_at_mm - camera.at_mm)) / 1000.0);
+}
+
+double f_stop(const studio::Camera& camera) { return camera.f_number.value_or(0.0); }  // 0: all is sharp
+
+// What a number of the camera is, and at each frame where that changes.
+void put_number(PrimText& text, std::string_view name, double (*of)(const studio::Camera&), const shapes::Stage& stage,
+                int first_frame) {
+  text.line("float {} = {}", name, of(stage.camera));
+  std::vector<std::string> samples;
+  samples.reserve(stage.camera_path.size());
+  for (const studio::Camera& camera : stage.camera_path) {
+    samples.push_back(fmt::format("{}: {}", first_frame + static_cast<int>(samples.size()), of(camera)));
+  }
+  const auto differs = [&](const studio::Camera& camera) { return of(camera) != of(stage.camera); };
+  if (std::ranges::any_of(stage.camera_path, differs)) {
+    text.line("float {}.timeSamples = {{ {} }}", name, fmt::join(samples, ", "));
+  }
+}
+
+void put_camera(PrimText& text, const shapes::Stage& stage, int first_frame) {
   const double film = studio::film_width_mm / mm_per_tenth;
-  const double distance_mm = glm::length(camera.look_at_mm - camera.at_mm);
   text.begin("def Camera", "camera");
   text.line("float2 clippingRange = {}", clipping_m);
-  text.line("float focalLength = {}", as_float(studio::focal_length_mm(camera) / mm_per_tenth));
-  text.line("float focusDistance = {}", as_float(camera.focus_mm.value_or(distance_mm) / 1000.0));
-  text.line("float fStop = {}", camera.f_number.value_or(0.0));  // 0: all is sharp
+  put_number(text, "focalLength", focal_length, stage, first_frame);
+  put_number(text, "focusDistance", focus_distance, stage, first_frame);
+  put_number(text, "fStop", f_stop, stage, first_frame);
   text.line("float horizontalAperture = {}", film);
   text.line("token projection = \"perspective\"");
-  text.line("float verticalAperture = {}", as_float(film / studio::aspect_of(camera)));
-  put_placing(text, shapes::placing_of(studio::view_of(camera), camera.at_mm));
+  text.line("float verticalAperture = {}", as_float(film / studio::aspect_of(stage.camera)));
+  if (!stage.camera_path.empty()) put_path(text, shapes::camera_placings(stage), first_frame, true);
+  put_placing(text, shapes::placing_of(stage.camera));
   text.end();
 }
 
@@ -62,8 +92,8 @@ void put_sun(PrimText& text, const shapes::Stage& stage) {
 
 }  // namespace
 
-void put_stage(PrimText& text, const shapes::Stage& stage) {
-  put_camera(text, stage.camera);
+void put_stage(PrimText& text, const shapes::Stage& stage, int first_frame) {
+  put_camera(text, stage, first_frame);
   text.begin("def Scope", "lights");
   put_environment(text, stage);
   if (stage.light.sun) put_sun(text, stage);

@@ -116,7 +116,7 @@ TEST(Stage, PlacingsLookAlongTheView) {
   studio::Camera camera;
   camera.at_mm = {10.0, -20.0, 30.0};
   camera.look_at_mm = {10.0, 0.0, 30.0};
-  const Placing placing = placing_of(studio::view_of(camera), camera.at_mm);
+  const Placing placing = placing_of(camera);
   EXPECT_EQ(placing.at_mm, (vec3{10.0, 30.0, 20.0}));
   EXPECT_EQ(placing.turned({0.0, 0.0, -1.0}), (vec3{0.0, 0.0, -1.0}));
   EXPECT_EQ(placing.turned({0.0, 1.0, 0.0}), (vec3{0.0, 1.0, 0.0}));

@@ -4,6 +4,9 @@
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
+# Ninja begins what it can, however the targets depend on one another; build folders that were made by others stay as they are.
+export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
+
 say() { printf '%s\n' "$*" >&2; }
 
 # The packages in the given sections of packages.txt, one a line.

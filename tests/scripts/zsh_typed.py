@@ -9,17 +9,23 @@ import time
 folder, words = sys.argv[1:]
 child, terminal = pty.fork()
 if child == 0:
-    os.environ.update(TERM="dumb", PS1="> ", LC_ALL="C")
+    os.environ.update(TERM="xterm", PS1="> ", LC_ALL="C")
     os.execvp("zsh", ["zsh", "-f", "-i"])
 
 
-def shown(until, seconds):
-    """What comes within that time, up to a text."""
-    text = ""
+unread = ""
+
+
+def shown(until, seconds=30):
+    """What comes within that time, up to the end of a text. What comes after that is kept for the next call."""
+    global unread
     end = time.monotonic() + seconds
-    while until not in text and time.monotonic() < end:
+    while until not in unread and time.monotonic() < end:
         if select.select([terminal], [], [], 0.2)[0]:
-            text += os.read(terminal, 4096).decode(errors="replace")
+            unread += os.read(terminal, 4096).decode(errors="replace")
+    if until not in unread:
+        sys.exit(f"zsh: expected {until!r} within {seconds} s, found {unread!r}")
+    text, unread = unread[: unread.index(until) + len(until)], unread[unread.index(until) + len(until) :]
     return text
 
 
@@ -28,14 +34,13 @@ def typed(text):
 
 
 typed(f"fpath=('{folder}' $fpath); autoload -Uz compinit; compinit -u -D; print rea''dy\n")
-if "ready" not in shown("ready", 30):
-    sys.exit("zsh does not start")
+shown("ready")
 # Before its editor is there, which it says by asking for bracketed pastes, the terminal itself shows what is typed.
-shown("[?2004h", 30)
+shown("[?2004h")
 typed(words + "\t")
 # A letter and its erasure show that the tab has been dealt with; they come after whatever it offers.
 typed("#\x08")
-print(shown("#", 30).replace("\r", ""))
+print(shown("#").replace("\r", ""))
 typed("\x03")
 typed("exit\n")
 os.close(terminal)

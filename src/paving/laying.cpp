@@ -33,11 +33,12 @@ double border_length(const geometry::RegionIndex& area) {
   return total;
 }
 
-// Whole stones by area, and cut ones by the length of the border.
+// Whole stones by area, and cut ones by the length of the border; where sizes vary, all as small as the smallest.
 double expected_stones(const Pavement& pavement, const geometry::RegionIndex& area) {
-  const vec2 pitch = size_range(pavement).smallest * pitch_mm(pavement);
+  const double smallest = size_range(pavement).smallest;
+  const vec2 pitch = smallest * pitch_mm(pavement);
+  const double place = smallest * smallest * type_of(pavement).mean_area_mm2(pavement);
   const double border = pavement.border.course == BorderCourse::none ? 0.0 : 1.0 / border_stone_mm(pavement).x;
-  const double place = type_of(pavement).takes_module ? type_of(pavement).mean_area_mm2(pavement) : pitch.x * pitch.y;
   return geometry::area(pavement.area) / place + border_length(area) * (1.0 / std::min(pitch.x, pitch.y) + border);
 }
 

@@ -51,20 +51,16 @@ bool meet(const Triangle& a, const Triangle& b) {
   return false;
 }
 
-CrackSurface columns_of(const CrackSurface& surface, std::size_t first, std::size_t end) {
-  CrackSurface part{surface.crack, surface.impact, surface.rows, {}, {}, {}};
-  const auto cut = [&](const std::vector<vec3>& from, std::vector<vec3>& to) {
-    to.assign(from.begin() + static_cast<std::ptrdiff_t>(first * surface.rows),
-              from.begin() + static_cast<std::ptrdiff_t>(end * surface.rows));
-  };
-  cut(surface.left_mm, part.left_mm);
-  cut(surface.right_mm, part.right_mm);
-  if (!surface.normals.empty()) cut(surface.normals, part.normals);
-  return part;
+// Columns of a wall of so many rows, from the first to before the end.
+std::vector<vec3> columns_of(const std::vector<vec3>& wall, std::size_t rows, std::size_t first, std::size_t end) {
+  return {wall.begin() + static_cast<std::ptrdiff_t>(first * rows), wall.begin() + static_cast<std::ptrdiff_t>(end * rows)};
 }
 
 // The stretch as a surface of two columns.
-CrackSurface stretch_of(const CrackSurface& surface, std::size_t column) { return columns_of(surface, column, column + 2); }
+CrackSurface stretch_of(const CrackSurface& surface, std::size_t column) {
+  const auto cut = [&](const std::vector<vec3>& wall) { return columns_of(wall, surface.rows, column, column + 2); };
+  return {surface.crack, surface.impact, surface.rows, cut(surface.left_mm), cut(surface.right_mm), {}};
+}
 
 std::vector<Triangle> triangles_of(const CrackSurface& stretch) {
   const std::size_t half = stretch.left_mm.size();
@@ -96,16 +92,12 @@ bool meet(const std::vector<Triangle>& a, const std::vector<Triangle>& b) {
 }
 
 Walls columns_of(const Walls& walls, std::size_t first, std::size_t end) {
-  Walls part{walls.rows, {}, {}, {}};
-  const auto cut = [&](const std::vector<vec3>& from, std::vector<vec3>& to) {
-    to.assign(from.begin() + static_cast<std::ptrdiff_t>(first * walls.rows),
-              from.begin() + static_cast<std::ptrdiff_t>(end * walls.rows));
-  };
-  cut(walls.left, part.left);
-  cut(walls.right, part.right);
-  part.along_mm.assign(walls.along_mm.begin() + static_cast<std::ptrdiff_t>(first),
-                       walls.along_mm.begin() + static_cast<std::ptrdiff_t>(end));
-  return part;
+  const auto cut = [&](const std::vector<vec3>& wall) { return columns_of(wall, walls.rows, first, end); };
+  const auto along = walls.along_mm.begin();
+  return {walls.rows,
+          cut(walls.left),
+          cut(walls.right),
+          {along + static_cast<std::ptrdiff_t>(first), along + static_cast<std::ptrdiff_t>(end)}};
 }
 
 // What is left of walls without the stretches that are `out`.

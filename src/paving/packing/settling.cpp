@@ -1,10 +1,9 @@
 // Packing works on centres; what is seen are the sides. For each side the wish is a vector: its direction the field's, its
-// length the pitch. The corners take the places that fulfil all wishes best, in the sense of least squares, with a
-// misdirected side counted more than one of another length: a row that bends is seen before a stone 2% wider. One more wish is
-// of each stone as a whole, to be as large as the others: it is what evens out the lengths along a row of which each ends where
-// it may, and since the area is linear in the place of one corner, it is one more square in the sum. Each corner in turn takes
-// the best place for where its neighbours are (Gauss and Seidel); a few sweeps suffice, since packing has left nothing to do
-// over long distances.
+// length the pitch. The corners take the places that fulfil all wishes best, in the sense of least squares, a misdirected side
+// counted more than one of another length: a row that bends is seen before a stone 2% wider. One more wish is of each stone as
+// a whole, to be as large as the others, which evens out the lengths along a row of which each ends where it may; the area is
+// linear in the place of one corner, so it is one more square in the sum. Each corner in turn takes the best place for where
+// its neighbours are (Gauss and Seidel); a few sweeps suffice, since packing leaves nothing to do over long distances.
 //
 // At a T three cells meet. Which of them has its straight side there is told by the particles: the two that lie one after the
 // other along a row (or both along a column) have the joint that ends, the third has the side. Where two rows lie shifted,
@@ -35,8 +34,7 @@ constexpr int corner_sweeps = 10;
 // directions, runs of Ts are drawn off their lines, so that more stones have five corners.
 constexpr double direction_weight = 4.0;
 constexpr double area_weight = 0.7;
-// How much a corner heeds the place where packing put it; by trial: with less, what is wrong at the rim of the packing creeps
-// in over many sweeps, with 1 and more little is mended.
+// How much a corner heeds the place where packing put it; by trial: with less, faults of the rim creep in, with 1 all stay.
 constexpr double hold_weight = 0.5;
 constexpr double border_weight = 50.0;
 // Corners nearer to a border than this, in pitches, are taken to it.
@@ -45,8 +43,7 @@ constexpr double border_reach = 0.25;
 constexpr double regular_reach = 1.0;
 // Shorter ones, in pitches, are no sides.
 constexpr double least_side = 0.5;
-// Ts are taken to straight lines in so many passes, since to move one bends the line of the next. By trial: with 10, 3% of the
-// oblong stones about a hole keep a fifth corner, with 40 fewer than 1%.
+// To move one T bends another's line. By trial: with 10, 3% of oblong stones at a hole keep a fifth corner, with 40 under 1%.
 constexpr int straightenings = 40;
 
 // A corner this near to a line lies on it but for rounding to the lattice.

@@ -12,7 +12,7 @@ global_settings {
    assumed_gamma 1.0
    // Two faces of the slab, and two walls of each of three gaps behind one another with their inner reflections.
    max_trace_level select(Quality - 1, 10, 16)
-   adc_bailout 1 / 255
+   adc_bailout select(Quality - 1, 1 / 40, 1 / 255)
 }
 
 //@model

@@ -135,18 +135,35 @@ std::string own_text(const Model& model) {
                             lying_point(earth.middle_mm), number(earth.radius_mm));
 }
 
+// Whether all light is that of far lights, which stand for the picture all around.
+bool is_lit_from_around_alone(const Model& model) { return model.light && !model.light->sun; }
+
+// Where light comes from all around, the shadows of cracks are too faint to be seen, and without them a ray to a light need not
+// pass all gaps on its way, thousands in tempered glass.
+std::vector<std::string> pane_objects(const Model& model, const std::vector<std::string>& panes) {
+  std::vector<std::string> texts;
+  texts.reserve(panes.size());
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    const bool casts_shadows = !is_lit_from_around_alone(model) || model.panes[i].pane.shards.has_value();
+    const std::string_view how = model.caustics  ? " photons { target refraction on reflection on collect off }"
+                                 : casts_shadows ? ""
+                                                 : " no_shadow";
+    texts.push_back(fmt::format("object {{ {}_Pane{} }}", panes[i], how));
+  }
+  return texts;
+}
+
 // What stands in the scene for the mark.
 std::string model_text(const Model& model, const std::vector<std::string>& panes, const std::vector<std::string>& pavements) {
   std::string text;
+  // Glass mirrors the picture all around by itself.
+  if (is_lit_from_around_alone(model)) text += "#declare Shatterpave_Glint = 0;\n";
   if (model.dispersion) text += fmt::format("#declare Shatterpave_Dispersion = {};\n", glass_dispersion);
   if (model.caustics) text += fmt::format("global_settings {{ photons {{ count {} }} }}\n", photons);
   for (const BrokenPane& broken : model.panes) text += fmt::format("#include \"{}.inc\"\n", stem_of(broken));
   for (const PavedArea& paved : model.pavements) text += fmt::format("#include \"{}.inc\"\n", stem_of(paved));
   text += fmt::format("#declare Still_Pane_Count = {};\n#declare Still_Pavement_Count = {};\n", panes.size(), pavements.size());
-  text +=
-      choice("Still_Pane(I)",
-             each(panes, model.caustics ? "object {{ {}_Pane photons {{ target refraction on reflection on collect off }} }}"
-                                        : "object {{ {}_Pane }}"));
+  text += choice("Still_Pane(I)", pane_objects(model, panes));
   text += array("Still_Pane_Min", each(panes, "{}_Min"));
   text += array("Still_Pane_Max", each(panes, "{}_Max"));
   text += array("Still_Pane_Rectangular", each(panes, "{}_Rectangular"));

@@ -17,7 +17,8 @@ namespace {
 // Neighbouring facets of bent glass differ by some thousandths: their normals are rounded to far less.
 constexpr double bent_normal_steps = 1e5;
 constexpr std::size_t lists_per_line = 6;
-// As those of shatterpave_glass.inc.
+// As templates/includes/shatterpave_glass.inc has them.
+constexpr double crumbs_reach = 1.25;
 constexpr int powder_layers = 3;
 constexpr double powder_spacing = 0.25;
 constexpr std::size_t powder_sides = 48;
@@ -89,7 +90,7 @@ std::string crushed_layers(const glass::ImpactZone& zone, const geometry::Bend& 
   geometry::Polygon round;
   for (std::size_t k = 0; k < powder_sides; ++k) {
     const Angle angle = Angle::degrees(360.0 * static_cast<double>(k) / static_cast<double>(powder_sides));
-    round.push_back(geometry::on_lattice(zone.centre_mm + zone.radius_mm * angle.direction()));
+    round.push_back(geometry::on_lattice(zone.centre_mm + crumbs_reach * zone.radius_mm * angle.direction()));
   }
   std::string text = "   union {\n";
   for (int layer = 0; layer < powder_layers; ++layer) {
@@ -100,8 +101,8 @@ std::string crushed_layers(const glass::ImpactZone& zone, const geometry::Bend& 
     text += "   mesh2 {\n";
     append_points(text, disc);
     append_triangles(text, disc, 0, false);
-    text += fmt::format("      texture {{ Shatterpave_Bent_Powder({}, {}, {}, {}) }}\n   }}\n",
-                        standing_point({zone.centre_mm, 0.0}), povray::number(zone.radius_mm), number, layer);
+    text += fmt::format("      texture {{ Shatterpave_Crumbs_Layer({}, {}, {}) translate {} }}\n   }}\n",
+                        povray::number(zone.radius_mm), number, layer, standing_point({zone.centre_mm, 0.0}));
   }
   return text + "   }\n";
 }

@@ -52,19 +52,33 @@ constexpr int most_rounds = 12;
 
 // ---- noise along a crack
 
-// In [-1, 1], smooth, another value a length of 1 on. Knots have draws of their own.
-double octave(std::uint64_t seed, const Address& address, double x) {
-  const double whole = std::floor(x);
-  const double part = x - whole;
-  const auto knot = [&](double at) {
-    return 2.0 * uniform(seed, {address.stream, address.element, address.draw + static_cast<std::uint32_t>(at)}) - 1.0;
+// By how much of the distance of two knots each is off an even row of them: else walls twist to a beat, which no crack does.
+constexpr double unevenness = 0.6;
+// Knots of an octave by number, each with draws for its place and its value: a crack is less than 2^29 lengths of twist long.
+constexpr unsigned knot_bits = 29;
+
+// In [-1, 1], smooth, another value about a length of 1 on; x >= 0.
+double octave(std::uint64_t seed, Stream stream, const Id& crack, std::uint32_t number, double x) {
+  const auto draw = [&](std::uint32_t what, double knot) {
+    return uniform(seed, {stream, crack, ((2 * number + what) << knot_bits) + static_cast<std::uint32_t>(knot)});
   };
-  return knot(whole) + smooth_step(part) * (knot(whole + 1.0) - knot(whole));
+  const auto place = [&](double knot) { return knot + unevenness * draw(0, knot); };
+  const auto value = [&](double knot) { return 2.0 * draw(1, knot) - 1.0; };
+  const double from_first = x + 1.0;  // the first knot lies before x = 0
+  double knot = std::floor(from_first);
+  if (place(knot) > from_first) knot -= 1.0;
+  const double part = (from_first - place(knot)) / (place(knot + 1.0) - place(knot));
+  return value(knot) + smooth_step(part) * (value(knot + 1.0) - value(knot));
 }
 
-// Of two octaves, in [-1, 1]; x >= 0, below 2^30.
+// Of three octaves, in [-1, 1]: long stretches to one side, with twists in them. By eye, from photographs: the lean changes
+// sides every three lengths of twist in the mean, now after a half, now after ten.
 double wave(std::uint64_t seed, Stream stream, const Id& crack, double x) {
-  return 0.72 * octave(seed, {stream, crack, 0}, x) + 0.28 * octave(seed, {stream, crack, 1U << 31U}, 3.0 * x);
+  constexpr double stretch = 2.7;
+  constexpr double gain = 1.12;  // so that it spreads as one octave alone would
+  const double sum = 0.62 * octave(seed, stream, crack, 0, x / stretch) + 0.29 * octave(seed, stream, crack, 1, x) +
+                     0.09 * octave(seed, stream, crack, 2, 3.0 * x);
+  return std::clamp(gain * sum, -1.0, 1.0);
 }
 
 // ---- a crack before it is cut off

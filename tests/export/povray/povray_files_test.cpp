@@ -223,6 +223,25 @@ TEST(RenderGlassCases, PanesOfManyShapesSideBySide) {
   expect_renders("shapes", model_with({corner, tall, whole}));
 }
 
+// Far lights stand for what is all around, which the glass mirrors itself. Cracks' shadows need a sun, shards lie in their own.
+TEST(PovrayFiles, GlassLitFromAllAroundHasNoGlintsOfItsLights) {
+  const auto still_of = [](Model model, std::optional<studio::Sun> sun) {
+    model.setting = "own";
+    model.light.emplace().sun = sun;
+    return file_named(povray_files(model), model.name + ".pov").content;
+  };
+  const Model whole = model_with({pane_with(24)});
+  const std::string around = still_of(whole, std::nullopt);
+  EXPECT_LT(around.find("#declare Shatterpave_Glint = 0;"), around.find("#include \"window.inc\""));
+  EXPECT_NE(around.find("object { window_Pane no_shadow }"), std::string::npos);
+  const std::string sunny = still_of(whole, studio::Sun{});
+  EXPECT_EQ(sunny.find("Shatterpave_Glint"), std::string::npos);
+  EXPECT_NE(sunny.find("object { window_Pane }"), std::string::npos);
+  Model shattered = whole;
+  shattered.panes = {support::shattered_pane(24, true)};
+  EXPECT_EQ(still_of(shattered, std::nullopt).find("no_shadow }"), std::string::npos);
+}
+
 // Shards in both windows and in the studio, of a pane that no frame of its own holds, with and without fallen ones.
 TEST(RenderGlassCases, DispersionAndCausticsOnRequest) {
   Model model = model_of_both();

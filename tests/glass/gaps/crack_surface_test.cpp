@@ -136,8 +136,10 @@ TEST(CrackSurface, MeetsWhereItIsLaidAcrossOthers) {
   CrackSurfaces cracks = crack_surfaces(pane, broken(pane, 7), 7);
   EXPECT_TRUE(meeting_stretches(cracks.surfaces).empty());
   CrackSurface moved = cracks.surfaces.front();
+  const vec3 middle = moved.left_mm[moved.columns() / 2 * moved.rows];
   for (std::vector<vec3>* wall : {&moved.left_mm, &moved.right_mm}) {
-    for (vec3& p : *wall) p = {p.y, p.x, p.z};  // turned about the diagonal, across the others
+    // Turned by a right angle about its middle, across what it was.
+    for (vec3& p : *wall) p = {middle.x - (p.y - middle.y), middle.y + (p.x - middle.x), p.z};
   }
   moved.crack = 1000;
   cracks.surfaces.push_back(moved);

@@ -15,9 +15,8 @@ void require_breakable(const Pane& pane);
 // The cracks of `pane`, a pure function of its arguments:
 //   annealed   they grow (glass/growth/growth.h)
 //   tempered   the borders of its dice (glass/dicing/dice.h)
-//   laminated  those of the sheet that is hit grow as in annealed glass. Of a pane with shards some run through both sheets,
-//   each with
-//              the probability that the pane gives
+//   laminated  those of the sheet that is hit, which grow as in annealed glass. Of a pane with shards some run through both
+//              sheets, each with the probability that the pane gives
 // Where the pane has given cracks, these, of whatever glass it is.
 //
 // They are all that come to be; where the pane has a time_us, with their times, from which `network_at` (map/growth_clock.h)

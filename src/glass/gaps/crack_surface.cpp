@@ -12,10 +12,10 @@
 #include "core/functions.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "core/smooth_step.h"
 #include "geometry/lattice.h"
 #include "glass/gaps/crack_corridor.h"
 #include "glass/gaps/crack_walls.h"
+#include "glass/gaps/crack_wave.h"
 #include "glass/gaps/gap_meetings.h"
 #include "glass/gaps/impact_zones.h"
 #include "glass/map/growth_clock.h"
@@ -49,37 +49,6 @@ constexpr double step_thicknesses = 0.75;
 constexpr double step_twists = 0.12;
 // How often cracks that end near the ends of others are cut off anew.
 constexpr int most_rounds = 12;
-
-// ---- noise along a crack
-
-// By how much of the distance of two knots each is off an even row of them: else walls twist to a beat, which no crack does.
-constexpr double unevenness = 0.6;
-// Knots of an octave by number, each with draws for its place and its value: a crack is less than 2^29 lengths of twist long.
-constexpr unsigned knot_bits = 29;
-
-// In [-1, 1], smooth, another value about a length of 1 on; x >= 0.
-double octave(std::uint64_t seed, Stream stream, const Id& crack, std::uint32_t number, double x) {
-  const auto draw = [&](std::uint32_t what, double knot) {
-    return uniform(seed, {stream, crack, ((2 * number + what) << knot_bits) + static_cast<std::uint32_t>(knot)});
-  };
-  const auto place = [&](double knot) { return knot + unevenness * draw(0, knot); };
-  const auto value = [&](double knot) { return 2.0 * draw(1, knot) - 1.0; };
-  const double from_first = x + 1.0;  // the first knot lies before x = 0
-  double knot = std::floor(from_first);
-  if (place(knot) > from_first) knot -= 1.0;
-  const double part = (from_first - place(knot)) / (place(knot + 1.0) - place(knot));
-  return value(knot) + smooth_step(part) * (value(knot + 1.0) - value(knot));
-}
-
-// Of three octaves, in [-1, 1]: long stretches to one side, with twists in them. By eye, from photographs: the lean changes
-// sides every three lengths of twist in the mean, now after a half, now after ten.
-double wave(std::uint64_t seed, Stream stream, const Id& crack, double x) {
-  constexpr double stretch = 2.7;
-  constexpr double gain = 1.12;  // so that it spreads as one octave alone would
-  const double sum = 0.62 * octave(seed, stream, crack, 0, x / stretch) + 0.29 * octave(seed, stream, crack, 1, x) +
-                     0.09 * octave(seed, stream, crack, 2, 3.0 * x);
-  return std::clamp(gain * sum, -1.0, 1.0);
-}
 
 // ---- a crack before it is cut off
 
@@ -199,11 +168,11 @@ void Builder::append_column(Walls& walls, const Station& station, const Profile&
   const auto tip = [&](double reach) {
     return from_tip(profile.open_start, profile.open_end, station.along_mm, profile.length_mm, reach);
   };
-  const double tilt = shape_.tilt_slope * wave(seed_, Stream::crack_tilt, id, x);
-  const double curve = shape_.curve_slope * wave(seed_, Stream::crack_curve, id, x);
+  const double tilt = shape_.tilt_slope * crack_wave(seed_, Stream::crack_tilt, id, x);
+  const double curve = shape_.curve_slope * crack_wave(seed_, Stream::crack_curve, id, x);
   const double narrow = closed + (1.0 - closed) * tip(tip_share * profile.length_mm);
   const double opening =
-      sheet.opening_mm * narrow * (1.0 + sheet.opening_variation * wave(seed_, Stream::crack_opening, id, x));
+      sheet.opening_mm * narrow * (1.0 + sheet.opening_variation * crack_wave(seed_, Stream::crack_opening, id, x));
   const double depth = profile.depth * (tip_depth + (1.0 - tip_depth) * tip(tip_thicknesses * sheet_.thickness_mm));
   const double far = profile.depth < 1.0 ? closed : far_opening;
   const double half_gap = std::min(0.5 * opening, gap_share * station.room_mm);

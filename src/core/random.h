@@ -58,6 +58,7 @@ enum class Stream : std::uint32_t {
   radial_course = 85,  // radials of real panes: direction, reach, kinks
   crack_chip = 86,     // lens-shaped chips at junctions of cracks
   rung = 88,           // pieces across strips between radials
+  dirt = 89,           // the place of a pane in the pattern of dirt
   hole_outline = 87,   // the hole that shards leave: its arcs and cusps
 };
 

@@ -267,6 +267,7 @@ struct Pane {
   studio::Placement placement;
   // Cracks that came from elsewhere, traced or drawn, instead of growth: a network as `broken` promises it, for this outline.
   std::optional<CrackNetwork> given_cracks;
+  double dirt = 0.0;      // on its faces, for pictures: 0 as it came from the works, 1 as if it had never been cleaned
   vec2 bow_mm{0.0, 0.0};  // sagittas across and along its box, within most_bow of its sides: see bend_of
 
   bool operator==(const Pane&) const = default;

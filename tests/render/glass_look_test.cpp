@@ -22,13 +22,14 @@ Colour mean_of(const std::string& name, const std::string& scene) {
   const std::filesystem::path folder = output_folder() / name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  for (const std::string file : {"shatterpave_glass.inc", "shatterpave_shards.inc"}) {
+  for (const std::string file : {"shatterpave_glass.inc", "shatterpave_shards.inc", "shatterpave_dirt.inc"}) {
     std::ofstream(folder / file) << embedded_text(file);
   }
-  std::ofstream(folder / "scene.pov") << "#version 3.7;\n#include \"shatterpave_glass.inc\"\n#include "
-                                         "\"shatterpave_shards.inc\"\nglobal_settings { assumed_gamma 1 "
-                                         "max_trace_level 16 }\n"
-                                      << scene;
+  std::ofstream(folder / "scene.pov")
+      << "#version 3.7;\n#include \"shatterpave_glass.inc\"\n#include "
+         "\"shatterpave_shards.inc\"\n#include \"shatterpave_dirt.inc\"\nglobal_settings { assumed_gamma 1 "
+         "max_trace_level 16 }\n"
+      << scene;
   const relief::Raster picture = rendered(folder, "scene.pov", 8, 8);
   Colour mean{};
   for (std::size_t i = 0; i < picture.values.size(); ++i) mean.at(i % 3) += static_cast<double>(picture.values[i]);
@@ -96,6 +97,49 @@ TEST(GlassLook, PanesReflectAsFresnelSays) {
       "glass_reflects_flat", "pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection 0.08 } interior { ior 1.52 }", 75.0);
   const double r = fresnel(std::cos(75.0 * 3.14159265358979 / 180.0), 1.52);
   EXPECT_LT(flat, 0.7 * 2.0 * r / (1.0 + r));
+}
+
+// What is seen of a wall behind a pane of 600 × 500 mm, on 60 × 60 mm about a place of it, with a light before it and one
+// behind.
+double behind(const std::string& name, double dirt, vec2 place, double wall) {
+  std::ostringstream scene;
+  scene << "light_source { <-3000, 3000, -6000> rgb 1 parallel point_at 0 }\n"
+        << "light_source { <3000, 3000, 6000> rgb 1 parallel point_at 0 }\nsky_sphere { pigment { rgb " << wall << " } }\n"
+        << "box { <0, 0, -2>, <600, 500, 2> texture { Shatterpave_Glass_Face } texture { pigment { function { " << dirt
+        << " * Shatterpave_Dirt_On(x, y, z, 0, 0, 600, 500, 7) } color_map { Shatterpave_Dirt_Colours } } finish { "
+           "Shatterpave_Dirt_Finish } } interior { ior 1.52 } double_illuminate }\n"
+        << "camera { orthographic location <" << place.x << ", " << place.y << ", -200> direction z right x * 60 up y * 60 }\n";
+  return mean_of(name, scene.str())[1];
+}
+
+TEST(GlassLook, DirtHidesWhatIsBehindAndLightsUp) {
+  const vec2 middle{300.0, 250.0};
+  const double clean_dark = behind("dirt_clean_dark", 0.0, middle, 0.02);
+  const double clean_bright = behind("dirt_clean_bright", 0.0, middle, 2.0);
+  double contrast = 1.0;
+  for (const double dirt : {0.2, 0.5, 1.0}) {
+    const std::string name = "dirt_" + std::to_string(static_cast<int>(100 * dirt));
+    const double dark = behind(name + "_dark", dirt, middle, 0.02);
+    const double bright = behind(name + "_bright", dirt, middle, 2.0);
+    EXPECT_GT(dark, clean_dark + 0.04 * dirt) << dirt;
+    EXPECT_LT(bright, clean_bright) << dirt;
+    // What is seen through it: less with more dirt, but never nothing.
+    const double left = (bright - dark) / (clean_bright - clean_dark);
+    EXPECT_LT(left, contrast - 0.05) << dirt;
+    EXPECT_GT(left, 0.3) << dirt;
+    contrast = left;
+  }
+  EXPECT_LT(contrast, 0.75);
+}
+
+TEST(GlassLook, DirtGathersAlongTheFrame) {
+  const double middle = behind("dirt_middle", 0.5, {300.0, 250.0}, 0.02);
+  const double corner = behind("dirt_corner", 0.5, {32.0, 32.0}, 0.02);
+  EXPECT_GT(corner, 1.15 * middle);
+  EXPECT_LT(corner, 4.0 * middle);
+  // Clean glass is the same everywhere.
+  EXPECT_NEAR(behind("dirt_clean_corner", 0.0, {32.0, 32.0}, 0.02), behind("dirt_clean_middle", 0.0, {300.0, 250.0}, 0.02),
+              1e-3);
 }
 
 }  // namespace

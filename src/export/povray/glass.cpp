@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "export/povray/bent_glass.h"
+#include "export/povray/dirt.h"
 #include "export/povray/sdl.h"
 #include "export/povray/shards.h"
 #include "export/povray/sheets.h"
@@ -184,10 +185,19 @@ std::vector<CrackGroup> crack_groups(const BrokenPane& broken, const std::string
   return groups;
 }
 
+// The material of the slab in NAME_Pane.
+std::string slab_material(const glass::Pane& pane, const std::string& prefix) {
+  if (pane.dirt == 0.0) return "Shatterpave_Glass";
+  return fmt::format("texture {{ Shatterpave_Glass_Face }} texture {{ {}_Dirt }} interior {{ Shatterpave_Glass_Interior }}",
+                     prefix);
+}
+
 // NAME_Broken with materials of the artist's, and NAME_Pane with ours.
-void append_whole(std::string& text, const std::vector<CrackGroup>& groups, bool crushed, const std::string& prefix) {
+void append_whole(std::string& text, const glass::Pane& pane, const std::vector<CrackGroup>& groups, bool crushed,
+                  const std::string& prefix) {
   const auto parts = [&](std::string_view glass, bool own) {
-    std::vector<std::string> objects{fmt::format("   object {{ {}_Slab material {{ {} }} }}\n", prefix, glass)};
+    std::vector<std::string> objects{fmt::format("   object {{ {}_Slab material {{ {} }}{} }}\n", prefix, glass,
+                                                 own && pane.dirt > 0.0 ? " double_illuminate" : "")};
     for (const CrackGroup& group : groups) {
       objects.push_back(fmt::format("   object {{ {} {} double_illuminate }}\n", group.name,
                                     own ? std::string_view(group.material) : std::string_view("material { Crack }")));
@@ -196,9 +206,10 @@ void append_whole(std::string& text, const std::vector<CrackGroup>& groups, bool
     return together(objects);
   };
   text += fmt::format("#macro {0}_Broken(Glass, Crack)\n{1}#end\n\n", prefix, parts("Glass", false));
-  const bool plain = std::ranges::all_of(groups, [](const CrackGroup& group) { return group.material == own_tubes; });
+  const bool plain =
+      pane.dirt == 0.0 && std::ranges::all_of(groups, [](const CrackGroup& group) { return group.material == own_tubes; });
   text += plain ? fmt::format("#declare {0}_Pane = object {{ {0}_Broken(Shatterpave_Glass, Shatterpave_Crack) }}\n", prefix)
-                : fmt::format("#declare {}_Pane =\n{}", prefix, parts("Shatterpave_Glass", true));
+                : fmt::format("#declare {}_Pane =\n{}", prefix, parts(slab_material(pane, prefix), true));
 }
 
 // A board about the outline, for frames that hold a pane of any shape.
@@ -256,6 +267,7 @@ IncludeHeader header(const BrokenPane& broken, const std::string& prefix, Body b
       line("   {0}_Slab       the slab alone, without material"),
   };
   for (const std::string& pattern : crack_lines(body)) header.declarations.push_back(line(pattern));
+  std::ranges::move(dirt_lines(broken.pane, prefix), std::back_inserter(header.declarations));
   for (const std::string_view pattern :
        {"   {0}_Crushed    the crushed zones about the impacts, with their materials",
         "                  (Cracks and Crushed are not declared where there are none)",
@@ -281,6 +293,7 @@ IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix,
   describe_bend(broken.pane, header);
   header.declarations = {"Declares:"};
   std::ranges::copy(shard_declarations(prefix, has_cracks), std::back_inserter(header.declarations));
+  std::ranges::move(dirt_lines(broken.pane, prefix), std::back_inserter(header.declarations));
   for (const std::string_view pattern :
        {"   {0}_Slab       the whole pane alone, without material",
         "   {0}_Surround(Width, Depth)  macro: a board about the outline, Width wider than the bounding box, Depth",
@@ -292,13 +305,14 @@ IncludeHeader shards_header(const BrokenPane& broken, const std::string& prefix,
   return header;
 }
 
-OutputFile shards_include(const BrokenPane& broken, const std::string& prefix) {
+OutputFile shards_include(const BrokenPane& broken, const std::string& prefix, std::uint64_t seed) {
   const std::vector<shapes::Tube> tubes = shapes::joined_tubes(broken);
   std::string text = "#include \"shatterpave_shards.inc\"\n";
   text += tubes.empty() ? "\n" : "#include \"shatterpave_glass.inc\"\n\n";
   append_slab(text, broken.pane, prefix);
   append_surround(text, broken.pane, prefix);
   append_declaration(text, prefix + "_Cracks", tube_texts(tubes, glass::bend_of(broken.pane)));
+  text += dirt_text(broken.pane, prefix, seed);
   append_shards(text, broken, prefix, !tubes.empty());
   const IncludeHeader about = shards_header(broken, prefix, !tubes.empty());
   return {about.file, include_text(about, text)};
@@ -306,8 +320,8 @@ OutputFile shards_include(const BrokenPane& broken, const std::string& prefix) {
 
 }  // namespace
 
-OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
-  if (broken.pane.shards) return shards_include(broken, prefix);
+OutputFile pane_include(const BrokenPane& broken, const std::string& prefix, std::uint64_t seed) {
+  if (broken.pane.shards) return shards_include(broken, prefix, seed);
   const Body body = broken.pane.crack_body == glass::CrackBody::sheet ? Body::sheets : Body::tubes;
   std::vector<glass::ImpactZone> zones = shapes::crushed_zones(broken.surfaces);
   std::vector<CrackGroup> groups;
@@ -325,7 +339,8 @@ OutputFile pane_include(const BrokenPane& broken, const std::string& prefix) {
   for (const CrackGroup& group : groups) append_declaration(text, group.name, group.objects);
   append_declaration(text, prefix + "_Crushed", crushed_texts(zones, broken.pane, prefix));
   append_surround(text, broken.pane, prefix);
-  append_whole(text, groups, !zones.empty(), prefix);
+  text += dirt_text(broken.pane, prefix, seed);
+  append_whole(text, broken.pane, groups, !zones.empty(), prefix);
   const IncludeHeader about = header(broken, prefix, body);
   return {about.file, include_text(about, text)};
 }

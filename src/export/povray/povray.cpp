@@ -251,7 +251,7 @@ bool is_shared_by_frames(const SkyPicture& sky) { return sky.blur == Angle(); }
 void append_things(const Model& model, const Prefixes& prefixes, const IsShared& wanted, std::vector<OutputFile>& files) {
   const std::size_t panes = model.panes.size();
   for (std::size_t i = 0; i < panes; ++i) {
-    if (wanted(i)) files.push_back(pane_include(model.panes[i], prefixes.panes[i]));
+    if (wanted(i)) files.push_back(pane_include(model.panes[i], prefixes.panes[i], model.seed));
   }
   for (std::size_t i = 0; i < model.pavements.size(); ++i) {
     if (!wanted(panes + i)) continue;

@@ -96,16 +96,18 @@ void append_shards(std::string& text, const BrokenPane& broken, const std::strin
   const bool is_one_body = rules.joined && there.size() == 1;
   text += is_one_body ? "   object {\n" : "   union {\n";
   for (std::size_t i = 0; i < there.size(); ++i)
-    text += fmt::format("      object {{ {0}_Shard_{1}(Old, Broken) }}\n", prefix, i);
+    text += fmt::format("      object {{ {0}_Shard_{1}(Old, Broken){2} }}\n", prefix, i,
+                        there[i]->state == glass::ShardState::standing ? " Shatterpave_Standing()" : "");
   text += "      interior { Inside }\n      double_illuminate\n   }\n";
   if (has_cracks) {
     text += fmt::format("   object {{ {}_Cracks material {{ Shatterpave_Crack }} double_illuminate }}\n   }}\n", prefix);
   }
-  text += fmt::format(
-      "#end\n\n"
-      "#declare {0}_Pane = object {{ {0}_Shards(Shatterpave_Shard_Old, Shatterpave_Shard_Broken, Shatterpave_Shard_Interior) "
-      "}}\n",
-      prefix);
+  const bool dirty = broken.pane.dirt > 0.0;
+  text += "#end\n\n";
+  if (dirty) text += fmt::format("#declare {0}_Old = texture {{ Shatterpave_Shard_Old }} texture {{ {0}_Dirt }}\n", prefix);
+  text +=
+      fmt::format("#declare {0}_Pane = object {{ {0}_Shards({1}, Shatterpave_Shard_Broken, Shatterpave_Shard_Interior) }}\n",
+                  prefix, dirty ? prefix + "_Old" : "Shatterpave_Shard_Old");
 }
 
 std::vector<std::string> shard_declarations(const std::string& prefix, bool has_cracks) {

@@ -17,9 +17,9 @@ double least_fragment_count(double thickness_mm);
 double fragment_count(const Pane& pane, const Tempered& glass);
 
 // Sizes of fragments, and the map that unfolds them. About the impact fragments are splinters that point away from it; farther
-// out they have no direction. Unfolded, all are as long as wide, so that splinters are the images of common Voronoi cells: the
-// map keeps directions from the impact, and takes the distance r to f(r) with d ln f / d ln r = width / length of fragments at
-// r.
+// out they are little longer than wide, along the same way. Unfolded, all are as long as wide, so that splinters are the images
+// of common Voronoi cells: the map keeps directions from the impact, and takes the distance r to f(r) with d ln f / d ln r =
+// width / length of fragments at r.
 class DiceShape {
  public:
   //   reach_mm  the map is made for distances up to here, > 0
@@ -27,6 +27,7 @@ class DiceShape {
 
   double width_mm(double r_mm) const;   // of a fragment, across the direction from the impact
   double length_mm(double r_mm) const;  // along it
+  double far_share(double r_mm) const;  // 0 where there are splinters, 1 where there are none
   // How far apart the cracks between splinters are, side by side.
   double splinter_spacing_mm() const;
   // Width of a fragment at that distance where it is unfolded.
@@ -41,6 +42,7 @@ class DiceShape {
   vec2 impact_mm_;
   double side_mm_;  // of a square as large as a fragment far out
   double greatest_ratio_;
+  double far_ratio_;
   double splinter_reach_mm_;
   std::vector<double> log_images_;  // ln f, at even steps of ln r
 };

@@ -90,6 +90,9 @@ const Section<Pane, PaneFacts> pane_keys{
             PaneRow::point("bow_mm", &Pane::bow_mm, {-glass::most_bow_mm, glass::most_bow_mm},
                            "sagittas of a bent pane, across its width and along its height, each at most a tenth of that side: "
                            "above 0 it bulges towards the side that is hit; see [Bent panes](meshes.md#bent-panes)"),
+            PaneRow::number("dirt", &Pane::dirt, {0.0, 1.0},
+                            "in POV-Ray: dust, tracks of rain, smears and what gathers along the frame, on both faces; 1 as if "
+                            "the pane had never been cleaned"),
             PaneRow::by_code(
                 "preset", ValueType::choice,
                 "an experiment of Agui et al. 1992, or a stone that goes through a window; a key given beside it wins")

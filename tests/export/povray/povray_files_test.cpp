@@ -39,8 +39,15 @@ Model model_of_both() {
   return model;
 }
 
+// The same, not cleaned for long.
+Model model_of_dirt() {
+  Model model = model_of_both();
+  for (BrokenPane& broken : model.panes) broken.pane.dirt = 0.5;
+  return model;
+}
+
 TEST(PovrayFiles, FolderNeedsNothingButPovraysOwnIncludes) {
-  const std::vector<OutputFile> files = povray_files(model_of_both());
+  const std::vector<OutputFile> files = povray_files(model_of_dirt());
   std::set<std::string> names;
   for (const OutputFile& file : files) EXPECT_TRUE(names.insert(file.name).second) << file.name;
   const std::regex include("#include \"([^\"]+)\"");
@@ -51,7 +58,7 @@ TEST(PovrayFiles, FolderNeedsNothingButPovraysOwnIncludes) {
       ++included;
     }
   }
-  EXPECT_GE(included, 3);
+  EXPECT_GE(included, 5);
 }
 
 TEST(PovrayFiles, IncludesHoldDeclarationsOnly) {
@@ -67,7 +74,7 @@ TEST(PovrayFiles, IncludesHoldDeclarationsOnly) {
 }
 
 TEST(PovrayFiles, HeaderNamesWhatTheFileDeclares) {
-  const std::vector<OutputFile> files = povray_files(model_of_both());
+  const std::vector<OutputFile> files = povray_files(model_of_dirt());
   for (const std::string name : {"window", "shards"}) {
     const std::string& text = file_named(files, name + ".inc").content;
     const std::string header = text.substr(0, text.find("#ifndef"));
@@ -240,6 +247,16 @@ TEST(PovrayFiles, GlassLitFromAllAroundHasNoGlintsOfItsLights) {
   Model shattered = whole;
   shattered.panes = {support::shattered_pane(24, true)};
   EXPECT_EQ(still_of(shattered, std::nullopt).find("no_shadow }"), std::string::npos);
+  // Of shards, those that stand.
+  const std::string shards = file_named(povray_files(shattered), "window.inc").content;
+  const auto count = [&](const std::string& what) {
+    std::ptrdiff_t found = 0;
+    for (std::size_t at = shards.find(what); at != std::string::npos; at = shards.find(what, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("Shatterpave_Standing()"),
+            std::ranges::count(shattered.panes[0].shards, glass::ShardState::standing, &glass::Shard::state));
+  EXPECT_GT(count("Shatterpave_Standing()"), 0);
 }
 
 // Shards in both windows and in the studio, of a pane that no frame of its own holds, with and without fallen ones.
@@ -255,6 +272,24 @@ TEST(RenderGlassCases, DispersionAndCausticsOnRequest) {
   EXPECT_NE(asked.find("photons { target"), std::string::npos);
   EXPECT_LT(asked.find("#declare Shatterpave_Dispersion = 1.012;"), asked.find("#include \"window.inc\""));
   expect_renders("optics", model);
+}
+
+// Faces of cracked panes and of shards; each pane has dirt of its own, and a clean one none.
+TEST(RenderGlassCases, Dirt) {
+  Model model = model_of_dirt();
+  model.setting = "studio_glass_still";
+  expect_renders("dirt", model);
+  const std::vector<OutputFile> files = povray_files(model);
+  std::set<std::string> places;
+  for (const std::string name : {"window", "shards"}) {
+    const std::string& text = file_named(files, name + ".inc").content;
+    std::smatch call;
+    ASSERT_TRUE(std::regex_search(text, call, std::regex("Shatterpave_Dirt_On\\(.*, ([0-9.]+)\\)"))) << name;
+    EXPECT_TRUE(places.insert(call[1]).second) << name;
+  }
+  for (const OutputFile& file : povray_files(model_of_both())) {
+    EXPECT_EQ(file.content.find("_Dirt"), std::string::npos) << file.name;
+  }
 }
 
 TEST(RenderGlassCases, Shards) {

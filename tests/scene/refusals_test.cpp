@@ -38,7 +38,7 @@ std::string nested(const std::string& open, int times) {
 
 const std::string pane_key_names =
     "name, size_mm, outline_mm, outline_file, outline_feature, outline_class, outline_units, place_mm, place_turn_deg, "
-    "thickness_mm, bow_mm, "
+    "thickness_mm, bow_mm, dirt, "
     "preset, impact, cracks_file, growth, shards, glass, pattern, rings, crater, laminate, tempering, crack_body, crack_sheet, "
     "time_us and crack_speed_m_s";
 

@@ -223,6 +223,16 @@ bool reaches_in(const PlaneMesh& mesh, const geometry::TriangleCorners& corners,
   return width_mm > 1.5 * geometry::to_mm(depth_um) + geometry::to_mm(least_ridge_um);
 }
 
+// Whether a side is a stub, shorter than the triangle over it is high, as an acute corner leaves them: the triangle may run on
+// along the side beside it.
+bool is_stub(const PlaneMesh& mesh, const geometry::TriangleCorners& corners, std::size_t a, std::size_t b) {
+  const double length_mm = glm::length(geometry::to_mm(mesh.points()[b]) - geometry::to_mm(mesh.points()[a]));
+  const vec2 p = geometry::to_mm(mesh.points()[corners[0]]);
+  const double doubled_mm2 =
+      cross(geometry::to_mm(mesh.points()[corners[1]]) - p, geometry::to_mm(mesh.points()[corners[2]]) - p);
+  return length_mm * length_mm < doubled_mm2;
+}
+
 // Of a triangle with a side of the border, where rounding may leave two: then a broken one wins.
 std::optional<ShardSurface> surface_by_side(const PlaneMesh& mesh, const geometry::TriangleCorners& corners,
                                             const std::vector<StripVertex>& vertices, std::int64_t depth_um) {
@@ -230,7 +240,7 @@ std::optional<ShardSurface> surface_by_side(const PlaneMesh& mesh, const geometr
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t a = corners[i];
     const std::size_t b = corners[(i + 1) % 3];
-    if (vertices[a].next != b || surface == ShardSurface::broken) continue;
+    if (vertices[a].next != b || surface == ShardSurface::broken || is_stub(mesh, corners, a, b)) continue;
     surface = surface_of(vertices[a].is_old && !reaches_in(mesh, corners, a, b, depth_um));
   }
   return surface;
@@ -254,29 +264,37 @@ void append_sides_at(std::size_t vertex, const PlaneMesh& mesh, const std::vecto
   }
 }
 
-// The sides of the border that a triangle may lead up from: those at its corners, or, at ridges, all.
-std::vector<std::size_t> sides_about(const geometry::TriangleCorners& corners, const PlaneMesh& mesh,
-                                     const std::vector<StripVertex>& vertices, bool at_ridge) {
+// The sides of the border at the triangle's corners.
+std::vector<std::size_t> sides_at(const geometry::TriangleCorners& corners, const PlaneMesh& mesh,
+                                  const std::vector<StripVertex>& vertices) {
   std::vector<std::size_t> sides;
   for (const std::size_t corner : corners) {
-    if (!at_ridge && vertices[corner].on_border()) append_sides_at(corner, mesh, vertices, sides);
-  }
-  for (std::size_t v = 0; at_ridge && v < vertices.size(); ++v) {
-    if (vertices[v].on_border()) sides.push_back(v);
+    if (vertices[corner].on_border()) append_sides_at(corner, mesh, vertices, sides);
   }
   return sides;
 }
 
-// That of the sides, or, where they are of both kinds, of the one that is nearest to the middle of the triangle.
+// That of the side of the border that is nearest to the middle of the triangle: of those at its corners, or of all where the
+// triangle is at a ridge, or these are farther off than a bevel is wide.
 ShardSurface surface_by_place(const PlaneMesh& mesh, const geometry::TriangleCorners& corners,
-                              const std::vector<StripVertex>& vertices, const std::vector<std::size_t>& sides) {
+                              const std::vector<StripVertex>& vertices, std::int64_t depth_um, bool at_ridge) {
   const auto at = [&](std::size_t v) { return geometry::to_mm(mesh.points()[v]); };
-  const bool is_old = vertices[sides.front()].is_old;
-  if (std::ranges::all_of(sides, [&](std::size_t v) { return vertices[v].is_old == is_old; })) return surface_of(is_old);
   const vec2 middle = (at(corners[0]) + at(corners[1]) + at(corners[2])) / 3.0;
-  const std::size_t nearest = *std::ranges::min_element(
-      sides, {}, [&](std::size_t v) { return geometry::distance_to_segment(middle, at(v), at(vertices[v].next)); });
-  return surface_of(vertices[nearest].is_old);
+  double least_mm = 1e300;
+  bool is_old = false;
+  const auto look_at = [&](std::size_t v) {
+    const double distance_mm = geometry::distance_to_segment(middle, at(v), at(vertices[v].next));
+    if (distance_mm >= least_mm) return;
+    least_mm = distance_mm;
+    is_old = vertices[v].is_old;
+  };
+  if (!at_ridge) std::ranges::for_each(sides_at(corners, mesh, vertices), look_at);
+  if (least_mm > geometry::to_mm(depth_um)) {
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      if (vertices[v].on_border()) look_at(v);
+    }
+  }
+  return surface_of(is_old);
 }
 
 ShardSurface surface_of(const PlaneMesh& mesh, const geometry::TriangleCorners& corners,
@@ -285,7 +303,7 @@ ShardSurface surface_of(const PlaneMesh& mesh, const geometry::TriangleCorners& 
   const bool at_ridge = std::ranges::any_of(corners, [&](std::size_t c) { return vertices[c].on_ridge; });
   const auto by_side = surface_by_side(mesh, corners, vertices, depth_um);
   if (by_side && !at_ridge) return *by_side;
-  return surface_by_place(mesh, corners, vertices, sides_about(corners, mesh, vertices, at_ridge));
+  return surface_by_place(mesh, corners, vertices, depth_um, at_ridge);
 }
 
 void append_strip(ShardSide& side, std::size_t border, Strip strip, std::int64_t depth_um) {

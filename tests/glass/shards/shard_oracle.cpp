@@ -134,7 +134,8 @@ class Inspection {
  private:
   void fault(const char* what, const Facet& facet) {
     const LatticePoint3& p = facet.corners[0];
-    found_.faults.push_back(fmt::format("{}: {} at ({}, {}, {}) um", shard_.id, what, p.x, p.y, p.z));
+    found_.faults.push_back(fmt::format("{}: {} at ({}, {}, {}) um, {:.0f} um long, {:.0f} um² large", shard_.id, what, p.x,
+                                        p.y, p.z, facet.longest_um(), 0.5 * glm::length(facet.across)));
   }
 
   void look_at(const SolidTriangle& triangle) {

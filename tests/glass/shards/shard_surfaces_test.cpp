@@ -28,7 +28,8 @@ std::uint64_t seeds_asked(std::uint64_t few) {
 }
 
 void expect_sound(const ShardFindings& found) {
-  EXPECT_TRUE(found.faults.empty()) << found.faults.size() << " faults, first " << found.faults.front();
+  EXPECT_TRUE(found.faults.empty()) << found.faults.size() << " faults, first " << found.faults.front() << "; "
+                                    << found.faults.back();
   EXPECT_EQ(found.level_bevel_mm2, 0.0);
 }
 
@@ -227,7 +228,7 @@ TEST(ShardSurfaces, OfOddPanesAreThoseOfTheirPlaces) {
     const Pane pane = odd_pane(seed);
     const ShardFindings found = findings(pane, shards_of(pane, seed));
     EXPECT_TRUE(found.faults.empty()) << "pane " << seed << ": " << found.faults.size() << " faults, first "
-                                      << found.faults.front();
+                                      << found.faults.front() << "; " << found.faults.back();
     EXPECT_EQ(found.level_bevel_mm2, 0.0) << "pane " << seed;
     all.add(found);
   }

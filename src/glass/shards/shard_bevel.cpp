@@ -212,25 +212,28 @@ void lift_triangles(PlaneMesh& mesh, Strip& strip, std::int64_t depth_um) {
 
 ShardSurface surface_of(bool is_old) { return is_old ? ShardSurface::old : ShardSurface::broken; }
 
-// Whether a triangle leads farther in from its side a b than a bevel does, which is as wide as deep: then it is of a chip, or
-// of a tip that bevels of both its sides take.
-bool reaches_in(const PlaneMesh& mesh, const geometry::TriangleCorners& corners, std::size_t a, std::size_t b,
-                std::int64_t depth_um) {
-  std::array<vec2, 3> p;
-  std::ranges::transform(corners, p.begin(), [&](std::size_t v) { return geometry::to_mm(mesh.points()[v]); });
-  const double width_mm =
-      cross(p[1] - p[0], p[2] - p[0]) / glm::length(geometry::to_mm(mesh.points()[b]) - geometry::to_mm(mesh.points()[a]));
-  return width_mm > 1.5 * geometry::to_mm(depth_um) + geometry::to_mm(least_ridge_um);
+double side_mm(const PlaneMesh& mesh, std::size_t a, std::size_t b) {
+  return glm::length(geometry::to_mm(mesh.points()[b]) - geometry::to_mm(mesh.points()[a]));
 }
 
-// Whether a side is a stub, shorter than the triangle over it is high, as an acute corner leaves them: the triangle may run on
-// along the side beside it.
+// How far a triangle leads in from its side a b, in the plane.
+double reach_mm(const PlaneMesh& mesh, const geometry::TriangleCorners& corners, std::size_t a, std::size_t b) {
+  std::array<vec2, 3> p;
+  std::ranges::transform(corners, p.begin(), [&](std::size_t v) { return geometry::to_mm(mesh.points()[v]); });
+  return cross(p[1] - p[0], p[2] - p[0]) / side_mm(mesh, a, b);
+}
+
+// Whether that is farther than a bevel leads, which is as wide as deep: then the triangle is of a chip, or of a tip that bevels
+// of both its sides take.
+bool reaches_in(const PlaneMesh& mesh, const geometry::TriangleCorners& corners, std::size_t a, std::size_t b,
+                std::int64_t depth_um) {
+  return reach_mm(mesh, corners, a, b) > 1.5 * geometry::to_mm(depth_um) + geometry::to_mm(least_ridge_um);
+}
+
+// Whether the side is a stub, shorter than the triangle leads in from it, as an acute corner leaves them: the triangle may run
+// on along the side beside it.
 bool is_stub(const PlaneMesh& mesh, const geometry::TriangleCorners& corners, std::size_t a, std::size_t b) {
-  const double length_mm = glm::length(geometry::to_mm(mesh.points()[b]) - geometry::to_mm(mesh.points()[a]));
-  const vec2 p = geometry::to_mm(mesh.points()[corners[0]]);
-  const double doubled_mm2 =
-      cross(geometry::to_mm(mesh.points()[corners[1]]) - p, geometry::to_mm(mesh.points()[corners[2]]) - p);
-  return length_mm * length_mm < doubled_mm2;
+  return side_mm(mesh, a, b) < reach_mm(mesh, corners, a, b);
 }
 
 // Of a triangle with a side of the border, where rounding may leave two: then a broken one wins.
@@ -250,10 +253,7 @@ std::optional<ShardSurface> surface_by_side(const PlaneMesh& mesh, const geometr
 // short as rounding makes them.
 void append_sides_at(std::size_t vertex, const PlaneMesh& mesh, const std::vector<StripVertex>& vertices,
                      std::vector<std::size_t>& sides) {
-  const auto is_short = [&](std::size_t v) {
-    return glm::length(geometry::to_mm(mesh.points()[vertices[v].next]) - geometry::to_mm(mesh.points()[v])) <
-           geometry::to_mm(2 * least_ridge_um);
-  };
+  const auto is_short = [&](std::size_t v) { return side_mm(mesh, v, vertices[v].next) < geometry::to_mm(2 * least_ridge_um); };
   for (std::size_t v = vertex;; v = vertices[v].next) {
     sides.push_back(v);
     if (!is_short(v) || vertices[v].next == vertex) break;

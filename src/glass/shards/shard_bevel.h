@@ -45,9 +45,8 @@ ShardSide sharp_side(const ShardBlank& blank);
 //    ridges of one height meet.
 // 2. A triangle of the bevel that has a side of the border is of the surface of the wall there, unless that is a stub; another
 //    one is of that of the nearest wall at its corners, and one at a ridge, or farther from these than the bevel is wide, of
-//    that of the nearest of all. So bevels along the
-//    pane's old edge are old, along cracks broken. What leads farther in from the old edge than a bevel is of a chip, and
-//    broken.
+//    that of the nearest of all. So bevels along the pane's old edge are old, along cracks broken. What leads farther in from
+//    the old edge than a bevel is of a chip, and broken.
 // 3. Where there is no flat part between two walls, their bevels meet in a ridge, as high as it is far from the nearest of
 //    them.
 //   depth_um > 0, of the bevel

@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "geometry/clip.h"
 #include "geometry/contacts.h"
+#include "geometry/needles.h"
 #include "geometry/segment_distance.h"
 #include "glass/map/crack_paths.h"
 
@@ -69,12 +70,21 @@ class PaneEdge {
     const vec2 middle = 0.5 * (a + b);
     const auto nearest = std::ranges::min_element(
         sides_, {}, [&](const auto& side) { return geometry::distance_to_segment(middle, side.first, side.second); });
-    if (nearest == sides_.end() || !is_near(a) || !is_near(b) || !is_near(middle)) return false;
+    if (nearest == sides_.end() || !runs_near(a, b)) return false;
     const vec2 along = nearest->second - nearest->first;
     return glm::dot(b - a, along) > std::abs(cross(along, b - a));
   }
 
  private:
+  // All the way, also where corners of the edge are very flat.
+  bool runs_near(vec2 a, vec2 b) const {
+    constexpr int steps = 8;
+    for (int i = 0; i <= steps; ++i) {
+      if (!is_near(glm::mix(a, b, static_cast<double>(i) / steps))) return false;
+    }
+    return true;
+  }
+
   bool is_near(vec2 p) const {
     return std::ranges::any_of(sides_, [&](const auto& side) {
       return geometry::distance_to_segment(p, side.first, side.second) <= cut_tolerance_mm;
@@ -97,6 +107,9 @@ std::vector<bool> old_sides(const Polygon& ring, const PaneEdge& edge) {
   return is_old;
 }
 
+// What is narrower is no glass: what rounding leaves between a gap and the edge, or another gap, metres long on large panes.
+constexpr double sliver_mm = 0.004;
+
 // By so much parts whose rings would touch where rounding has closed a narrow bay are drawn in.
 constexpr double contact_mm = 0.004;
 
@@ -117,7 +130,7 @@ std::vector<Region> parts_of(const geometry::Face& face, const std::vector<geome
   for (const FaceRing& hole : face.holes) append_cracks(hole, segments, rules.gap_mm, cracks);
   std::vector<Region> parts{region(face)};
   if (!cracks.empty()) parts = geometry::difference(parts.front(), geometry::thickened(cracks, 0.5 * rules.gap_mm));
-  parts = geometry::parted(std::move(parts));
+  parts = geometry::without_slivers(geometry::parted(std::move(parts)), sliver_mm);
   std::erase_if(parts, [&](const Region& part) { return geometry::area(part) < rules.splinter_mm2; });
   std::ranges::stable_sort(parts, std::ranges::greater{}, [](const Region& part) { return geometry::area(part); });
   return parts;
@@ -167,6 +180,7 @@ void cut_along(const Region& part, const std::vector<Region>& hole, double gap_m
 // Adds those that are no splinters, the largest first.
 void add_cut(std::vector<Region> some, double splinter_mm2, std::vector<Region>& all) {
   const auto is_splinter = [&](const Region& part) { return geometry::area(part) < splinter_mm2; };
+  some = geometry::without_slivers(some, sliver_mm);
   std::erase_if(some, is_splinter);
   if (!geometry::contacts(geometry::rings_of(some)).empty()) some = geometry::parted(shrunk(some));
   std::erase_if(some, is_splinter);

@@ -198,25 +198,107 @@ union {
    texture { Stone }
 }
 
-// ---- within: a dim room, out of focus; at its back a door stands open to a lit hall
+// ---- within: a room as daylight through the window leaves it, and the little that its walls give back
 
-#declare Room_Depth = 1.5 * (Row_Width + Row_Height);
-#declare Door_Width = 0.17 * (Row_Width + Row_Height);
-#declare Door_Height = 1.05 * Row_Height;
-#declare Soft = 0.05 * Row_Height;
-#declare Step = function(X) { 1 / (1 + exp(-max(-30, min(30, X)))) }
-plane {
-   -z, 0
+#declare Room_Front = 40;
+#declare Room_Back = Room_Front + max(3400, 1.5 * Row_Width);
+#declare Room_Half = max(2600, 1.2 * Row_Width);
+#declare Floor = min(-850, -Drop - 100);
+#declare Ceiling = max(1750, Row_Height + 500);
+#declare Room_Lot = seed(7);
+#declare Matt = finish { ambient 0 diffuse 0.8 }
+#declare Wallpaper =
+texture {
    pigment {
-      function {
-         Step((x + Door_Width / 2) / Soft) * Step((Door_Width / 2 - x) / Soft) * Step((Door_Height - y) / Soft)
-         * (0.55 + 0.45 * Step(x / (4 * Soft))) + 0.05 * exp(-(x * x + y * y) / pow(1.6 * Door_Width, 2))
-      }
-      color_map { [0 rgb <0.007, 0.007, 0.008>] [0.08 rgb <0.020, 0.015, 0.011>] [1 rgb <0.050, 0.029, 0.015>] }
+      gradient x
+      color_map { [0.0 rgb <0.40, 0.36, 0.27>] [0.46 rgb <0.40, 0.36, 0.27>] [0.5 rgb <0.46, 0.42, 0.33>] [0.96 rgb <0.46, 0.42, 0.33>] [1.0 rgb <0.40, 0.36, 0.27>] }
+      scale 130
    }
-   finish { ambient 0 diffuse 0 emission 1 }
-   no_shadow
-   translate <1.95 * Row_Width, 0, Room_Depth>
+   finish { Matt }
+}
+#declare Brown_Wood =
+texture {
+   pigment {
+      wood
+      turbulence 0.06 omega 0.5
+      color_map { [0 rgb <0.16, 0.085, 0.045>] [0.7 rgb <0.21, 0.118, 0.062>] [1 rgb <0.11, 0.056, 0.030>] }
+      scale <26, 26, 500>
+      rotate 90 * x
+   }
+   finish { ambient 0 diffuse 0.8 specular 0.12 roughness 0.06 }
+}
+
+#declare Book_Colours = array[4] { <1.0, 0.42, 0.30>, <0.42, 0.55, 0.80>, <0.45, 0.62, 0.40>, <1.2, 1.1, 0.9> }
+
+// A board of books, from X to X + Width, standing at Y: of any height and colour, some leaning, with gaps.
+#macro Books(X, Y, Z, Width, Height)
+   #local At = X + 15;
+   #while (At < X + Width - 50)
+      #local Thick = 16 + 40 * pow(rand(Room_Lot), 2);
+      #local Tall = Height * (0.55 + 0.38 * rand(Room_Lot));
+      #local Deep = 130 + 60 * rand(Room_Lot);
+      #local Tone = 0.06 + 0.40 * pow(rand(Room_Lot), 2);
+      #local Hue = rand(Room_Lot);
+      box {
+         <0, 0, 230 - Deep>, <Thick, Tall, 235>
+         rotate select(rand(Room_Lot) - 0.93, 0, 9) * z
+         translate <At, Y, Z>
+         pigment { rgb Tone * Book_Colours[int(3.999 * Hue)] }
+         finish { Matt }
+      }
+      #local At = At + Thick + select(rand(Room_Lot) - 0.9, 1, 60 * rand(Room_Lot));
+   #end
+#end
+
+#macro Bookcase(X, Width, Height)
+   #local Z = Room_Back - 260;
+   union {
+      box { <X - 25, Floor, Z>, <X, Floor + Height, Room_Back> }
+      box { <X + Width, Floor, Z>, <X + Width + 25, Floor + Height, Room_Back> }
+      box { <X, Floor, Room_Back - 15>, <X + Width, Floor + Height, Room_Back> }
+      #for (Y, Floor + 80, Floor + Height, 320)
+         box { <X, Y, Z>, <X + Width, Y + 22, Room_Back> }
+      #end
+      texture { Brown_Wood }
+   }
+   #for (Y, Floor + 80, Floor + Height - 200, 320) Books(X, Y + 22, Z, Width, 298) #end
+#end
+
+#declare Door_Left = -0.45 * Room_Half;
+union {
+   box { <-Room_Half, Floor, Room_Back>, <Room_Half, Ceiling, Room_Back + 10> texture { Wallpaper } }
+   box { <-Room_Half - 10, Floor, Room_Front>, <-Room_Half, Ceiling, Room_Back> texture { Wallpaper rotate 90 * y } }
+   box { <Room_Half, Floor, Room_Front>, <Room_Half + 10, Ceiling, Room_Back> texture { Wallpaper rotate 90 * y } }
+   box { <-Room_Half, Ceiling, Room_Front>, <Room_Half, Ceiling + 10, Room_Back> pigment { rgb <0.62, 0.60, 0.56> } finish { Matt } }
+   box { <-Room_Half, Floor - 10, Room_Front>, <Room_Half, Floor, Room_Back> texture { Brown_Wood } }
+   box { <-Room_Half, Floor, Room_Back - 16>, <Room_Half, Floor + 110, Room_Back> pigment { rgb <0.55, 0.52, 0.46> } finish { Matt } }
+   // A door with its frame and two panels.
+   box { <Door_Left - 80, Floor, Room_Back - 24>, <Door_Left + 880, Floor + 2080, Room_Back> pigment { rgb <0.56, 0.53, 0.47> } finish { Matt } }
+   difference {
+      box { <Door_Left, Floor, Room_Back - 34>, <Door_Left + 800, Floor + 2000, Room_Back - 25> }
+      box { <Door_Left + 110, Floor + 180, Room_Back - 40>, <Door_Left + 690, Floor + 880, Room_Back - 28> }
+      box { <Door_Left + 110, Floor + 1060, Room_Back - 40>, <Door_Left + 690, Floor + 1860, Room_Back - 28> }
+      pigment { rgb <0.60, 0.57, 0.50> } finish { Matt }
+   }
+   // A picture in its frame.
+   union {
+      box { <0, 0, -30>, <560, 430, 0> texture { Brown_Wood } }
+      box { <30, 30, -32>, <530, 400, -30> pigment { rgb <0.62, 0.60, 0.52> } finish { Matt } }
+      box {
+         <90, 85, -34>, <470, 345, -32>
+         pigment { bozo color_map { [0.2 rgb <0.10, 0.16, 0.12>] [0.5 rgb <0.24, 0.28, 0.20>] [0.7 rgb <0.40, 0.44, 0.48>] } turbulence 0.6 scale 120 }
+         finish { Matt }
+      }
+      translate <0.12 * Room_Half, Floor + 1250, Room_Back>
+   }
+   Bookcase(0.45 * Room_Half, 0.48 * Room_Half, 2120)
+}
+// What walls and floor give back, from where daylight falls in.
+#declare Room_Span = Room_Back - Room_Front;
+#declare Room_Bounce = 0.17;
+light_source {
+   <0, Floor + 300, Room_Front + 0.35 * Room_Span>, rgb Room_Bounce * <1.0, 0.88, 0.72>
+   fade_distance 0.5 * Room_Span fade_power 2 shadowless
 }
 
 // ---- outside: a garden, out of focus, and its light

@@ -158,12 +158,13 @@ std::vector<CrackGroup> crack_groups(const BrokenPane& broken, const std::string
   const auto text_of = [&](shapes::Mesh mesh) {
     return closed_mesh(shapes::bent(std::move(mesh), bend, shapes::bent_pane_bound_mm));
   };
+  const bool is_dice = std::holds_alternative<glass::Tempered>(broken.pane.glass);
   std::vector<CrackGroup> groups;
   for (std::size_t i = 0; i < broken.network.impacts.size(); ++i) {
     CrackGroup group{fmt::format("{}_Cracks_{}", prefix, i),
-                     fmt::format("Shatterpave_{}Sheet({}, {}_Thickness, {}{})", bending.name,
+                     fmt::format("Shatterpave_{}Sheet({}, {}_Thickness, {}, {}{})", bending.name,
                                  standing_point({broken.network.impacts[i].at_mm, 0.0}), prefix,
-                                 number(broken.pane.crack_sheet.relief), bending.arguments),
+                                 number(broken.pane.crack_sheet.relief), is_dice ? 1 : 0, bending.arguments),
                      {}};
     int crack = -1;
     for (const glass::CrackSurface& surface : broken.surfaces.surfaces) {

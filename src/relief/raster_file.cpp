@@ -3,7 +3,11 @@
 #include "relief/raster_file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
 #include <stdexcept>
+#include <system_error>
 #include <vector>
 
 #include "core/cancel.h"
@@ -40,6 +44,9 @@ OIIO::ImageSpec specification(const RasterFileShape& shape, RasterFileFormat for
   return spec;
 }
 
+// The header of a PNG is shorter.
+constexpr std::int64_t beyond_header = 1000;
+
 bool is_last(const RasterFileShape& shape) { return shape.width == 1 && shape.height == 1; }
 
 RasterFileShape halved(const RasterFileShape& shape) {
@@ -65,15 +72,32 @@ void append_smaller(const float* upper, const float* lower, const RasterFileShap
 class RasterFile::Writer {
  public:
   Writer(const std::string& path, const RasterFileShape& shape, RasterFileFormat format, bool tiled, Smaller smaller)
-      : path_(path),
-        format_(format),
-        tiled_(tiled),
-        smaller_(smaller),
-        level_(shape),
-        output_(OIIO::ImageOutput::create(path)) {
+      : path_(path), format_(format), tiled_(tiled), smaller_(smaller), level_(shape), file_(std::fopen(path.c_str(), "wb")) {
     ENSURE(shape.width > 0 && shape.height > 0 && shape.channels > 0);
+    if (!file_) fail_by_errno();
+    proxy_ = std::make_unique<OIIO::Filesystem::IOFile>(file_.get(), OIIO::Filesystem::IOProxy::Write);
+    output_ = OIIO::ImageOutput::create(path, proxy_.get());
     if (!output_) fail(OIIO::geterror());
     if (!output_->open(path, specification(shape, format, tiled))) fail(output_->geterror());
+  }
+
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  Writer(Writer&&) = delete;
+  Writer& operator=(Writer&&) = delete;
+
+  // Where the file is left unfinished, it gets some black rows: libpng would complain on stderr of one without any data.
+  ~Writer() {
+    if (!output_ || tiled_) return;
+    try {
+      const std::vector<float> black(level_.width * level_.channels, 0.0F);
+      while (done_ < level_.height && proxy_->tell() < beyond_header &&
+             output_->write_scanline(static_cast<int>(done_), 0, OIIO::TypeDesc::FLOAT, black.data())) {
+        ++done_;
+      }
+    } catch (const std::exception&) {
+      done_ = level_.height;  // what made it be left is on its way already
+    }
   }
 
   void append(std::span<const float> rows) {
@@ -96,10 +120,15 @@ class RasterFile::Writer {
     while (tiled_ && !is_last(level_)) begin_smaller();
     if (!output_->close()) fail(output_->geterror());
     output_.reset();  // with tiles, the last of the file is only written here
+    // Writers do not tell all that a disk refuses, and nothing of what is refused as they end.
+    if (std::ferror(file_.get()) != 0 || std::fflush(file_.get()) != 0) fail_by_errno();
+    if (std::fclose(file_.release()) != 0) fail_by_errno();
   }
 
  private:
   [[noreturn]] void fail(const std::string& reason) const { throw std::runtime_error("cannot write " + path_ + ": " + reason); }
+
+  [[noreturn]] void fail_by_errno() const { fail(std::generic_category().message(errno != 0 ? errno : EIO)); }
 
   // Writes the rows of tiles that are whole, and the last one.
   void write_held() {
@@ -148,6 +177,11 @@ class RasterFile::Writer {
   std::size_t done_ = 0;     // rows of it
   std::vector<float> held_;  // rows that are not written yet
   std::vector<float> next_;  // the next smaller size, as far as it is made
+  struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::unique_ptr<std::FILE, CloseFile> file_;
+  std::unique_ptr<OIIO::Filesystem::IOProxy> proxy_;
   std::unique_ptr<OIIO::ImageOutput> output_;
 };
 

@@ -137,5 +137,35 @@ TEST_F(RasterFileTest, WhatCannotBeWrittenIsAnErrorThatNamesTheFile) {
   }
 }
 
+// As when a run is told to end, or another file of it fails.
+TEST_F(RasterFileTest, IsSilentWhereItIsLeftUnfinished) {
+  testing::internal::CaptureStderr();
+  for (const RasterFileFormat format : {RasterFileFormat::png8, RasterFileFormat::png16, RasterFileFormat::exr_half}) {
+    for (const std::size_t rows : {0U, 1U, 300U}) {
+      const RasterFileShape shape{500, 400, 3};
+      RasterFile file(path(format == RasterFileFormat::exr_half ? "left.exr" : "left.png"), shape, format);
+      if (rows > 0) file.append(values({shape.width, rows, shape.channels}));
+    }
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+// Small files are only written as they are closed, which the library's own writers do not look at.
+TEST_F(RasterFileTest, AFullDiskIsAnErrorHoweverSmallTheFile) {
+  for (const auto& [name, format] :
+       {std::pair{"full.png", RasterFileFormat::png8}, std::pair{"deep.png", RasterFileFormat::png16},
+        std::pair{"full.exr", RasterFileFormat::exr_half}}) {
+    fs::create_symlink("/dev/full", path(name));
+    try {
+      RasterFile file(path(name), {4, 4, 1}, format);
+      file.append(values({4, 4, 1}));
+      file.close();
+      ADD_FAILURE() << "no error: " << name;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace shatterpave::relief

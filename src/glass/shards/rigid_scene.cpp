@@ -1,6 +1,9 @@
 #include "glass/shards/rigid_scene.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <mutex>
+#include <new>
 
 namespace shatterpave::glass {
 
@@ -27,7 +30,20 @@ btTransform stepped(const btRigidBody& body, double step) {
   return btTransform(after, now.getOrigin() + step * body.getLinearVelocity());
 }
 
+void* memory_or_throw(std::size_t size) {
+  void* memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+void give_back(void* memory) { std::free(memory); }
+
 }  // namespace
+
+RigidScene::ThrowingMemory::ThrowingMemory() {
+  static std::once_flag once;
+  std::call_once(once, [] { btAlignedAllocSetCustom(&memory_or_throw, &give_back); });
+}
 
 void RigidWorld::predictUnconstraintMotion(btScalar step) {
   each_moving([&](btRigidBody& body) { body.setInterpolationWorldTransform(stepped(body, step)); });

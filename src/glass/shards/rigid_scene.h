@@ -93,6 +93,11 @@ class RigidScene {
   void add_standing(btRigidBody* body);
   void let_standing_sleep();
 
+  // Before anything else of Bullet is made: where no memory is left, Bullet would go on with null.
+  struct ThrowingMemory {
+    ThrowingMemory();
+  };
+  ThrowingMemory memory_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;

@@ -80,6 +80,7 @@ void export_frames(const Export& job, const AppendTarget& append, RequirePicture
   const auto shot = scene::shot_of_file(job.scene, job.overrides);
   const scene::Scene& still = shot->still();
   tell(still.notes);
+  tell(pipeline::unseen(still, job.targets));
   const std::vector<int> frames = frames_asked(*shot, job.frames, "--frames");
   require_for_targets(still, job.targets);
   require(require_pictures, still);
@@ -109,6 +110,7 @@ void export_scene(const Export& job, const AppendTarget& append, RequirePictures
   const auto shot = scene::shot_of_file(job.scene, job.overrides);
   const scene::Scene& scene = shot->still();
   tell(scene.notes);
+  tell(pipeline::unseen(scene, job.targets));
   require_for_targets(scene, job.targets);
   require(require_pictures, scene);
   pipeline::require_output_folder(job.output);
@@ -140,6 +142,7 @@ void check_scene(const Check& job, RequirePictures require_pictures) {
   require_for_targets(scene, job.targets);
   require(require_pictures, scene);
   tell(scene.notes);
+  tell(pipeline::unseen(scene, job.targets));
   tell(pipeline::emptiness(scene));
   print(fmt::format("{}: {}\n", job.scene.string(), pipeline::summary(scene)));
 }

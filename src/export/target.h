@@ -25,6 +25,9 @@ struct Target {
   // Whether it holds how things move over a shot, in one file for all frames.
   bool holds_motion = false;
 
+  // Whether it has the glass of panes as meshes, whose materials know no dirt: that is told.
+  bool glass_is_clean = false;
+
   bool has_rasters() const { return append == nullptr; }
 };
 

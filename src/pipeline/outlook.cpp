@@ -1,6 +1,7 @@
 #include "pipeline/outlook.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,6 +160,22 @@ std::vector<Note> emptiness(const scene::Scene& scene) {
     } else if (is_all_border(part.pavement)) {
       notes.push_back(nothing_within(scene, part));
     }
+  }
+  return notes;
+}
+
+std::vector<Note> unseen(const scene::Scene& scene, const std::vector<const exporting::Target*>& targets) {
+  std::vector<std::string_view> clean;
+  for (const exporting::Target* target : targets) {
+    if (target->glass_is_clean) clean.push_back(target->name);
+  }
+  std::vector<Note> notes;
+  if (clean.empty()) return notes;
+  for (std::size_t i = 0; i < scene.panes.size(); ++i) {
+    const glass::Pane& pane = scene.panes[i];
+    if (pane.dirt == 0.0) continue;
+    notes.push_back({known_place(places_at(scene.pane_places, i), pane.name, "dirt"),
+                     fmt::format("has no effect on {}: dirt is a texture for POV-Ray", fmt::join(clean, ", "))});
   }
   return notes;
 }

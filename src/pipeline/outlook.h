@@ -6,6 +6,7 @@
 
 #include "core/notes.h"
 #include "export/model.h"
+#include "export/target.h"
 #include "scene/scene.h"
 
 namespace shatterpave::pipeline {
@@ -19,5 +20,8 @@ std::vector<Note> emptiness(const scene::Scene& scene);
 
 // The same for what was made of the scene.
 std::vector<Note> emptiness(const scene::Scene& scene, const exporting::Model& model);
+
+// A note for each pane whose dirt some of the targets do not show.
+std::vector<Note> unseen(const scene::Scene& scene, const std::vector<const exporting::Target*>& targets);
 
 }  // namespace shatterpave::pipeline

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
+#include "export/targets.h"
 #include "pipeline/generate.h"
 #include "scene/read_scene.h"
 
@@ -82,6 +85,21 @@ TEST(Emptiness, OfASceneWithoutAFileNamesTheThing) {
   const std::vector<Note> notes = emptiness(scene);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_TRUE(located(notes[0]).starts_with("p.stone_mm: note: no stone of p is laid")) << located(notes[0]);
+}
+
+// Of meshes that were asked for, and of panes that are dirty.
+TEST(Unseen, IsDirtOnMeshes) {
+  const scene::Scene scene = scene::scene_of_text(
+      "[[pane]]\nname = \"w\"\nsize_mm = [90, 70]\nimpact = [{at_mm = [40, 30]}]\n"
+      "[[pane]]\nname = \"v\"\nsize_mm = [90, 70]\ndirt = 0.2\nimpact = [{at_mm = [40, 30]}]\n",
+      "s.toml");
+  const auto target = [](std::string_view name) {
+    return *std::ranges::find(exporting::targets(), name, [](const exporting::Target* one) { return one->name; });
+  };
+  EXPECT_TRUE(unseen(scene, {target("povray"), target("json"), target("svg")}).empty());
+  const std::vector<Note> notes = unseen(scene, {target("povray"), target("gltf"), target("ply")});
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(located(notes[0]), "s.toml:8:8: pane[1].dirt: note: has no effect on gltf, ply: dirt is a texture for POV-Ray");
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ void append(const Model& model, Outputs& outputs);
 inline constexpr Target target{.name = "gltf",
                                .sentence = "all meshes with their materials as binary glTF 2.0 (SCENE.glb)",
                                .require = shapes::require_few_stones,
-                               .holds_motion = true};
+                               .holds_motion = true,
+                               .glass_is_clean = true};
 
 }  // namespace shatterpave::exporting::gltf

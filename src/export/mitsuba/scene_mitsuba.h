@@ -27,6 +27,7 @@ void append(const Model& model, Outputs& outputs);
 
 inline constexpr Target target{.name = "mitsuba",
                                .sentence = "a scene for Mitsuba 3 (SCENE.xml, with meshes as PLY, and textures)",
-                               .require = shapes::require_few_stones};
+                               .require = shapes::require_few_stones,
+                               .glass_is_clean = true};
 
 }  // namespace shatterpave::exporting::mitsuba

@@ -26,6 +26,7 @@ void append(const Model& model, Outputs& outputs);
 inline constexpr Target target{.name = "obj",
                                .sentence = "all meshes in Wavefront's format (SCENE.obj, SCENE.mtl)",
                                .append = append,
-                               .require = shapes::require_few_stones};
+                               .require = shapes::require_few_stones,
+                               .glass_is_clean = true};
 
 }  // namespace shatterpave::exporting::obj

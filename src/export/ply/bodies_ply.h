@@ -21,6 +21,7 @@ void append(const Model& model, Outputs& outputs);
 inline constexpr Target target{.name = "ply",
                                .sentence = "all meshes in one file, with bodies and materials as numbers of faces (SCENE.ply)",
                                .append = append,
-                               .require = shapes::require_few_stones};
+                               .require = shapes::require_few_stones,
+                               .glass_is_clean = true};
 
 }  // namespace shatterpave::exporting::ply

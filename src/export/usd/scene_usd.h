@@ -38,6 +38,7 @@ void append(const Model& model, Outputs& outputs);
 inline constexpr Target target{.name = "usd",
                                .sentence = "all meshes with their materials as a layer of OpenUSD (SCENE.usda)",
                                .require = shapes::require_few_stones,
-                               .holds_motion = true};
+                               .holds_motion = true,
+                               .glass_is_clean = true};
 
 }  // namespace shatterpave::exporting::usd

@@ -116,12 +116,17 @@ TEST(OutOfFocus, WithoutADiscIsThePictureItself) {
 }
 
 TEST(OutOfFocus, OfFinePicturesUnderWideDiscsIsTheSameAsOfCoarseOnes) {
-  Raster coarse{512, 256, 1, std::vector<float>(512 * 256)};
-  Raster fine{2048, 1024, 1, std::vector<float>(2048 * 1024)};
+  Raster coarse{512, 256, 3, std::vector<float>(512 * 256 * 3)};
+  Raster fine{2048, 1024, 3, std::vector<float>(2048 * 1024 * 3)};
   for (std::size_t i = 0; i < fine.values.size(); ++i) {
-    const std::size_t at = (i / 2048 / 4) * 512 + i % 2048 / 4;
-    coarse.values[at] = static_cast<float>(at % 97);
-    fine.values[i] = coarse.values[at];
+    const std::size_t pixel = i / 3;
+    const std::size_t at = ((pixel / 2048 / 4) * 512 + pixel % 2048 / 4) * 3 + i % 3;
+    // Another pattern in each channel, and darker to the right.
+    coarse.values[at] = static_cast<float>(at % (67 + 15 * (i % 3))) * (1.0F - static_cast<float>(pixel % 2048) / 4096.0F);
+  }
+  for (std::size_t i = 0; i < fine.values.size(); ++i) {
+    const std::size_t pixel = i / 3;
+    fine.values[i] = coarse.values[((pixel / 2048 / 4) * 512 + pixel % 2048 / 4) * 3 + i % 3];
   }
   const Raster expected = out_of_focus(coarse, Angle::degrees(40.0));
   const Raster found = out_of_focus(fine, Angle::degrees(40.0));

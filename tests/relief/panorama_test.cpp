@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
 #include <cmath>
 #include <limits>
 
@@ -45,6 +48,22 @@ TEST(Panorama, OneChannelIsGreyAndAlphaIsLeftOut) {
   EXPECT_EQ(panorama(encoded(with_alpha, RasterFormat::exr_half), "exr"), picture(4, 2, 3, 0.5F));
   const Raster png = panorama(encoded(with_alpha, RasterFormat::png16), "png");
   for (const float value : png.values) EXPECT_NEAR(value, 0.2140F, 1e-3F);
+}
+
+// Where the one of light does not stand first in the file.
+TEST(Panorama, LuminanceIsFoundBesideOthers) {
+  for (const char* other : {"A", "R", "Z"}) {
+    OIIO::ImageSpec spec(4, 2, 2, OIIO::TypeDesc::FLOAT);
+    spec.channelnames = {other, "Y"};
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = OIIO::ImageOutput::create("exr");
+    ASSERT_TRUE(output->set_ioproxy(&memory) && output->open("memory.exr", spec));
+    std::vector<float> values;
+    for (int i = 0; i < 8; ++i) values.insert(values.end(), {0.75F, 0.5F});
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+    EXPECT_EQ(panorama(std::string(bytes.begin(), bytes.end()), "exr"), picture(4, 2, 3, 0.5F)) << other;
+  }
 }
 
 TEST(Panorama, WhatIsNoBrightnessBecomesOne) {

@@ -76,6 +76,9 @@ TEST_F(DirectionFiles, RefusesWhatIsNoField) {
                    "a.csv:6:1: expected each place of the grid once, got (500, 500) again"));
   EXPECT_TRUE(says(refusal("a.csv", "x_mm,y_mm,u,v\n0,0,1,0\n500,0,1,0\n0,300,1,0\n500,300,1,0\n"),
                    "expected a square grid, got places 500 mm apart along x and 300 mm along y"));
+  EXPECT_TRUE(says(refusal("a.csv", "x_mm,y_mm,u,v\n7,0,1,0\n7,500,1,0\n7,1000,1,0\n7,1500,0,1\n"),
+                   "expected two or more rows and columns, got vectors on a line"));
+  EXPECT_TRUE(says(refusal("a.csv", "x_mm,y_mm,u,v\n0,7,1,0\n500,7,1,0\n1000,7,1,0\n1500,7,0,1\n"), "got vectors on a line"));
   EXPECT_TRUE(says(refusal("a.csv", square + "1000,0,1,0\n1000,500,1,0\n"),
                    "expected a vector at each of 3 x 2 places, 500 mm apart, got none at (500, 500)"));
   EXPECT_TRUE(says(refusal("a.csv", "x_mm,y_mm,u,v\n0,0,1,0\n9,0,1,0\n0,9,1,0\n0,9,1,0\n"), "a.csv:5:1"));

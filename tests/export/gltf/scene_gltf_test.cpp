@@ -150,6 +150,22 @@ TEST(Gltf, GlassIsAsThickAsItsPane) {
   EXPECT_DOUBLE_EQ(thickness["glass_broken_2"], 0.006);
 }
 
+// Puddles bend light as water does, and are taken to be a centimetre deep.
+TEST(Gltf, WaterIsWater) {
+  paving::Pavement pavement = court(paving::Material::brick, 0);
+  pavement.look.wetness = 1.0;
+  int found = 0;
+  const Json json = json_of(gltf_files(paved({pavement}))[0].content);
+  for (const Json& material : json["materials"]) {
+    if (!material["name"].get<std::string>().ends_with("_water")) continue;
+    ++found;
+    EXPECT_DOUBLE_EQ(material["extensions"]["KHR_materials_ior"]["ior"], 1.333);
+    EXPECT_DOUBLE_EQ(material["extensions"]["KHR_materials_volume"]["thicknessFactor"], 0.01);
+    EXPECT_EQ(material["extensions"]["KHR_materials_transmission"]["transmissionFactor"], 1.0);
+  }
+  EXPECT_EQ(found, 1);
+}
+
 TEST(GltfInParallel, IsTheSameForAnyNumberOfThreads) {
   paving::Pavement pavement = court(paving::Material::granite, 128);
   pavement.bonding.bond = paving::Bond::fan;

@@ -14,6 +14,7 @@
 #include "export/mitsuba/mesh_file.h"
 #include "export/mitsuba/xml.h"
 #include "paving/laying.h"
+#include "studio/world.h"
 
 namespace shatterpave::exporting::mitsuba {
 namespace {
@@ -116,6 +117,23 @@ TEST(MitsubaScene, ExposureIsInTheLights) {
   EXPECT_EQ(count(xml, "id=\"sun\""), 0U);
   model.light->sun = studio::Sun{};
   EXPECT_EQ(count(mitsuba_files(model)[0].content, "id=\"sun\""), 1U);
+}
+
+// Mitsuba has the middle of the picture at +z before it turns it about y.
+TEST(MitsubaScene, EnvironmentStandsWhereTheWorldHasIt) {
+  Model model = model_of({support::broken_pane(support::pane_with(6))});
+  model.light = studio::Light{};
+  const std::string before = "<rotate y=\"1\" angle=\"";
+  for (const double turn_deg : {0.0, 30.0, -100.0, 275.0}) {
+    model.light->environment_turn = Angle::degrees(turn_deg);
+    const std::string xml = mitsuba_files(model)[0].content;
+    const std::size_t at = xml.find(before);
+    ASSERT_NE(at, std::string::npos);
+    const vec2 turned = Angle::degrees(std::stod(xml.substr(at + before.size()))).direction();
+    const vec3 middle = studio::upright_of_world(studio::direction_of({0.5, 0.5}, model.light->environment_turn));
+    EXPECT_NEAR(turned.y, middle.x, 1e-6) << turn_deg;
+    EXPECT_NEAR(turned.x, middle.z, 1e-6) << turn_deg;
+  }
 }
 
 TEST(MitsubaScene, DepthOfFieldIsThatOfTheLens) {

@@ -186,6 +186,23 @@ TEST(Bodies, StonesLookUpWithinTheirOutlines) {
   }
 }
 
+// The filling that has sunk covers the whole of its area, once.
+TEST(Bodies, SunkenFillingCoversItsArea) {
+  paving::Pavement pavement = court(paving::Bond::running, {200.0, 100.0});
+  pavement.ground.settlement_mm = 8.0;
+  pavement.area.holes = {{{700, 300}, {700, 500}, {900, 500}, {900, 300}}};
+  const auto bodies = bodies_of(paved(pavement));
+  const Mesh& mesh = bodies.back().mesh;
+  ASSERT_EQ(bodies.back().body.kind, "joints");
+  double area = 0.0;
+  for_each_triangle(mesh, [&](const auto& t) { area += 0.5 * across(corners_of(mesh, t)).y; });
+  EXPECT_NEAR(area, geometry::area(pavement.area), 1e-6 * area);
+  const geometry::Box box = geometry::bounding_box(pavement.area.outline);
+  for (const vec3& p : mesh.points_mm) {
+    EXPECT_TRUE(p.x >= box.low.x && p.x <= box.high.x && -p.z >= box.low.y && -p.z <= box.high.y);
+  }
+}
+
 // Of triangles that look up: how u and v change along the stone and across it, metres a metre.
 struct Scale {
   double along = 0.0;

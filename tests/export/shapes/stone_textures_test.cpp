@@ -10,6 +10,7 @@
 #include "export/shapes/bodies.h"
 #include "export/shapes/meshes_of.h"
 #include "export/shapes/tangents.h"
+#include "export/shapes/unrolling.h"
 #include "paving/bonds/table.h"
 #include "paving/laying.h"
 
@@ -123,6 +124,21 @@ TEST_P(TexturesOfEveryBond, AreDrawnOutALittleOnDomes) {
   const auto domes = stones_of(laid(pavement));
   EXPECT_LT(drawn_part(domes, 0.1), 0.07);
   EXPECT_GT(drawn_part(seen_from_above(domes), 0.1), 3.0 * drawn_part(domes, 0.1));
+}
+
+// A level face lies on the sheet as it is seen from above.
+TEST(Unrolling, LeavesLevelFacesWhereTheyAre) {
+  geometry::BezierPatch patch;
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      patch.at(row, column) = {20.0 + 40.0 * static_cast<double>(row), -30.0 + 20.0 * static_cast<double>(column), 7.0};
+    }
+  }
+  const StoneMesh mesh = displaced({patch}, {}, 10.0);
+  const std::vector<vec2> places = unrolled(mesh);
+  ASSERT_GT(places.size(), 50U);
+  ASSERT_EQ(places.size(), mesh.bare.size());
+  for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(places[i], vec2(mesh.bare[i].x, mesh.bare[i].y));
 }
 
 // The part of its swatch that a stone shows, as a box of its places, m.

@@ -168,6 +168,21 @@ TEST(TubesOfPane, CutsACrackBackWhereItEndsOnAnother) {
   EXPECT_NEAR(cracks.tubes[1].b_mm.y, 100 - r0 - r1 - tube_clearance_mm, 0.001);
 }
 
+// A last piece that is shorter than tubes are thick would be cut away at its turn: the piece before it goes to the end instead.
+TEST(TubesOfPane, NoPieceIsShorterThanATubeIsThick) {
+  const std::vector<vec2> points = {{0, 100}, {299.9, 100}, {300, 100.1}};
+  const BrokenPane broken{pane_with(2), network_of({points}, -1), {}};
+  const TubedCracks cracks = tubed_cracks(broken.pane, broken.network);
+  ASSERT_EQ(cracks.tubes.size(), 1U);
+  const Tube& tube = cracks.tubes.front();
+  ASSERT_LT(glm::length(points[2] - points[1]), 4.0 * tube.radius_mm);
+  // It goes straight from the first point to the last.
+  for (const vec2 end : {tube.a_mm, tube.b_mm}) EXPECT_NEAR(end.y, 100.0 + end.x / 3000.0, 0.001);
+  // Longer pieces all have their tubes.
+  const BrokenPane bent{pane_with(2), network_of({{{0, 100}, {2, 101}, {298, 101}, {300, 100}}}, -1), {}};
+  EXPECT_EQ(tubed_cracks(bent.pane, bent.network).tubes.size(), 3U);
+}
+
 // Nothing much is lost by trimming: what is cut off is a few radii at each end and turn.
 TEST(TubesOfPane, KeepsTheLengthOfTheCracks) {
   const BrokenPane broken = broken_pane(pane_with(24));

@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "geometry/polygon.h"
+#include "geometry/segment_distance.h"
 #include "glass/breaking.h"
 #include "glass/gaps/gap_meetings.h"
 #include "glass/map/growth_clock.h"
@@ -181,6 +182,41 @@ TEST(CrackSurfacesReal, StayAsTheyAreOnceTheyHaveGrown) {
 
 // Cracks that pass each other's tips and end on each other; one that runs close by a corner of the outline; and one that ends
 // on another where that one bends just before its own end.
+// Nothing is open that has not broken yet: walls, which lean by less than the pane is thick, lie beside what has grown of their
+// crack.
+TEST(CrackSurfacesReal, EndAtTheTips) {
+  Pane pane = pane_with(0);
+  pane.pattern = Pattern::real;
+  pane.impacts[0].radial_count.reset();
+  pane.impacts[0].mean_radial_count = 40;
+  pane.time_us = 1e6;
+  const CrackNetwork network = broken(pane, 1);
+  int growing = 0;
+  for (const double time_us : {40.0, 80.0, 130.0}) {
+    pane.time_us = time_us;
+    const CrackNetwork now = network_at(pane, network, time_us);
+    for (const CrackSurface& surface : crack_surfaces(pane, network, 1).surfaces) {
+      // Arms of rings are one gap.
+      if (network.crack(surface.crack).start.at == CrackEnd::At::ring) continue;
+      const auto grown = std::ranges::find(now.cracks, surface.crack, &Crack::id);
+      ASSERT_NE(grown, now.cracks.end()) << surface.crack << " has not begun";
+      growing += grown->rest ? 1 : 0;
+      double farthest = 0.0;
+      for (std::size_t i = 0; i < 2 * surface.left_mm.size(); ++i) {
+        const vec3 point = vertex(surface, i);
+        double away = 1e9;
+        for (std::size_t k = 0; k + 1 < grown->points_mm.size(); ++k) {
+          away =
+              std::min(away, geometry::distance_to_segment({point.x, point.y}, grown->points_mm[k], grown->points_mm[k + 1]));
+        }
+        farthest = std::max(farthest, away);
+      }
+      EXPECT_LT(farthest, pane.thickness_mm) << surface.crack << " at " << time_us;
+    }
+  }
+  EXPECT_GT(growing, 20);
+}
+
 TEST(CrackSurfacesRandom, DoNotMeetWhereCracksHookOrEndAtBends) {
   for (const std::uint64_t seed : {20ULL, 126ULL, 232ULL}) {
     Pane pane = random_pane(seed, {3, 20});

@@ -329,6 +329,16 @@ TEST(Bonds, ArcsInterlockInTheirValleys) {
     narrowest = std::min(narrowest, width);
     if (std::abs(centre.x - 0.5 * span) < 60.0) middle = std::max(middle, width);
   }
+  // Those in the valley stand upright.
+  int in_valley = 0;
+  for (const Tile& tile : tiles) {
+    const geometry::Box box = geometry::bounding_box(tile.outline_mm);
+    const double valley = span * std::round(0.5 * (box.low.x + box.high.x) / span);
+    if (box.low.x > valley - 15.0 || box.high.x < valley + 15.0) continue;
+    ++in_valley;
+    EXPECT_NEAR(tile.axis.y, 0.0, 1e-12);
+  }
+  EXPECT_EQ(in_valley, 2);
   EXPECT_GT(middle, 95.0);
   EXPECT_LT(narrowest, 0.85 * middle);
   EXPECT_GT(narrowest, 0.7 * middle);

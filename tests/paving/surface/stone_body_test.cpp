@@ -245,6 +245,8 @@ TEST(Wear, IsNothingAtTheBorderAndAllInTheMiddle) {
   const StoneDraws old = worn(fresh, pavement, 1.0);
   EXPECT_EQ(old.sink_mm, fresh.sink_mm + 6.0);
   EXPECT_EQ(old.relief, 0.5);
+  EXPECT_EQ(worn(fresh, pavement, 0.5).relief, 0.75);
+  EXPECT_EQ(worn(fresh, pavement, 0.0).relief, 1.0);
   EXPECT_EQ(worn(fresh, pavement, 0.0).body->arris_mm, fresh.body->arris_mm);
 }
 

@@ -18,6 +18,7 @@
 #include "paving/tiles/hand_stones.h"
 #include "paving/tiles/stock.h"
 #include "scene/plans/plan_areas.h"
+#include "support/laws.h"
 #include "support/shared_data.h"
 
 namespace shatterpave::paving {
@@ -120,6 +121,36 @@ TEST(HandLaying, NeverLetsTilesThatTaperLieOverOthers) {
     }
     EXPECT_EQ(faults(*paved, laid_stones(*paved, paved == &star ? 392 : 235)).total(), 0U);
   }
+}
+
+// Every corner of a stone whose corners are all nibbled has lost more on one of its sides, on either as often.
+TEST(HandLaying, NibbledCornersHaveLostMoreOnOneSide) {
+  Pavement paved = by_hand(type_of(Bond::running), 0.0, straight(0));
+  paved.hand.rounded = 0.0;
+  paved.hand.nibbled = 1.0;
+  const geometry::Polygon outline = {{0, 0}, {300, 0}, {300, 200}, {0, 200}};
+  double on_the_first = 0.0;  // of a corner's two sides, counter-clockwise
+  double count = 0.0;
+  for (std::uint64_t stone = 0; stone < 1000; ++stone) {
+    const geometry::Polygon face = hand_face(outline, paved, 0.0, 3, Id("a").child(stone));
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      vec2 lost{1e9, 1e9};
+      for (const vec2 p : face) {
+        const vec2 off = glm::abs(p - outline[i]);
+        if (off.y == 0.0) lost.x = std::min(lost.x, off.x);
+        if (off.x == 0.0) lost.y = std::min(lost.y, off.y);
+      }
+      ASSERT_GT(std::min(lost.x, lost.y), 0.0);
+      ASSERT_GT(std::max(lost.x, lost.y), 2.0 * std::min(lost.x, lost.y));
+      on_the_first += (lost.x > lost.y) == (i % 2 == 1) ? 1.0 : 0.0;
+      count += 1.0;
+    }
+  }
+  const auto p = [&](double share) {
+    return support::chi_square_p({on_the_first, count - on_the_first}, {share * count, (1.0 - share) * count});
+  };
+  EXPECT_GT(p(0.5), support::significance());
+  EXPECT_LT(p(0.55), support::significance()) << "the twin";
 }
 
 // The same tiles without a joint of their own: what moves there meets.

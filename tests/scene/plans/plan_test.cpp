@@ -179,6 +179,27 @@ TEST(Svg, FollowsNestedTransforms) {
   EXPECT_NE(std::ranges::find(p, vec2(90, 230)), p.end());
 }
 
+// By the definitions of the specification (CSS Transforms 1, 12).
+TEST(Svg, TransformsAreAsTheirMatrices) {
+  const auto outline = [](const std::string& transform) {
+    return svg("<g transform=\"" + transform + "\"><path d=\"M10 20H30V25H10z\"/></g>",
+               R"(width="300mm" height="300mm" viewBox="0 0 300 300")")
+        .outline;
+  };
+  const std::pair<const char*, const char*> same[] = {
+      {"rotate(90 100 60)", "matrix(0 1 -1 0 160 -40)"},
+      {"rotate(180, 100, 60)", "translate(100 60) rotate(180) translate(-100 -60)"},
+      {"translate(7)", "matrix(1 0 0 1 7 0)"},
+      {"translate(7 -3)", "matrix(1 0 0 1 7 -3)"},
+      {"scale(3)", "matrix(3 0 0 3 0 0)"},
+      {"scale(3 2)", "matrix(3 0 0 2 0 0)"},
+      {"skewX(45)", "matrix(1 0 1 1 0 0)"},
+      {"skewY(45)", "matrix(1 1 0 1 0 0)"},
+  };
+  for (const auto& [one, other] : same) EXPECT_EQ(outline(one), outline(other)) << one;
+  EXPECT_NE(outline("rotate(90 100 60)"), outline("rotate(90 100 61)"));
+}
+
 TEST(Svg, CurvesStayWithinTheTolerance) {
   const std::string page = R"(width="2000mm" height="2000mm" viewBox="0 0 2000 2000")";
   const auto largest_error = [](const Polygon& p, vec2 centre, double radius) {

@@ -150,6 +150,8 @@ TEST(SvgShown, FillClosesWhatIsOpen) {
   const std::string nearly = R"x(d="m 20.3,20.3 26.667,0 26.667,0 0,53.333 -53.333,0 0,-53.334 m 10,10 0,15 15,0 0,-15 z")x";
   expect(page("<path " + nearly + "/>"), 26.194, 1);
   expect(page("<path fill=\"none\" " + nearly + "/>"), 26.194, 1);
+  // A gap that is seen is meant, however long the line is.
+  EXPECT_EQ(error(page(R"x(<path fill="none" d="M15 10H105V110H15V11"/>)x")), "a.svg: expected a closed shape, got none");
 }
 
 TEST(SvgShown, SubpathsMayCrossAndAdjoin) {

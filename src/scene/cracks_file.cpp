@@ -48,9 +48,13 @@ class Node {
   Node(const json& value, const std::string& file, std::string path) : value_(value), file_(file), path_(std::move(path)) {}
 
   [[noreturn]] void refuse(const std::string& expected) const {
-    const std::string found =
-        value_.is_null() ? "nothing" : in_quotes(value_.dump(-1, ' ', false, json::error_handler_t::replace));
-    throw InputError(Place{file_, 0, 0, path_}, "expected " + expected + ", got " + found);
+    throw InputError(Place{file_, 0, 0, path_}, "expected " + expected + ", got " + found());
+  }
+
+  std::string found() const {
+    if (value_.is_null()) return "nothing";
+    if (value_.is_string()) return in_quotes(value_.get_ref<const std::string&>());
+    return in_quotes(value_.dump(-1, ' ', false, json::error_handler_t::replace));
   }
 
   Node operator[](const std::string& key) const {

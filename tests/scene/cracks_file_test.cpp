@@ -68,7 +68,7 @@ TEST_F(CracksFiles, GeometryIsReadAsItIsWritten) {
 TEST_F(CracksFiles, RefusesWhatIsNoCrack) {
   const auto says = [](const std::string& text, const char* words) { return text.find(words) != std::string::npos; };
   EXPECT_TRUE(says(refusal(pane_with(R"({"kind": "dent", "points_mm": [[1, 2], [3, 4]]})")),
-                   "panes[0].cracks[0].kind: expected large, radial, circular, branch, dice, rung or chip, got "));
+                   "panes[0].cracks[0].kind: expected large, radial, circular, branch, dice, rung or chip, got \"dent\""));
   EXPECT_TRUE(says(refusal(pane_with(R"({"kind": "large", "points_mm": [[1, 2]]})")),
                    "cracks[0].points_mm: expected two points or more"));
   EXPECT_TRUE(says(refusal(pane_with(R"({"kind": "large", "impact": 2, "points_mm": [[1, 2], [3, 4]]})")),

@@ -206,7 +206,8 @@ union {
 #declare Floor = min(-850, -Drop - 100);
 #declare Ceiling = max(1750, Row_Height + 500);
 #declare Room_Lot = seed(7);
-#declare Matt = finish { ambient 0 diffuse 0.8 }
+// Its part of the light, by eye, is what walls and floor give back to one another.
+#declare Matt = finish { ambient 0 diffuse 0.8 emission 0.085 }
 #declare Wallpaper =
 texture {
    pigment {
@@ -225,7 +226,7 @@ texture {
       scale <26, 26, 500>
       rotate 90 * x
    }
-   finish { ambient 0 diffuse 0.8 specular 0.12 roughness 0.06 }
+   finish { Matt specular 0.12 roughness 0.06 }
 }
 
 #declare Book_Colours = array[4] { <1.0, 0.42, 0.30>, <0.42, 0.55, 0.80>, <0.45, 0.62, 0.40>, <1.2, 1.1, 0.9> }
@@ -239,12 +240,20 @@ texture {
       #local Deep = 130 + 60 * rand(Room_Lot);
       #local Tone = 0.06 + 0.40 * pow(rand(Room_Lot), 2);
       #local Hue = rand(Room_Lot);
+      #local Cover = Tone * Book_Colours[int(3.999 * Hue)];
       box {
          <0, 0, 230 - Deep>, <Thick, Tall, 235>
+         // Darker to the board above, and round its back.
+         pigment {
+            average
+            pigment_map {
+               [1 gradient y color_map { [0.0 rgb 1.05 * Cover] [0.5 rgb 0.8 * Cover] [1.0 rgb 0.1 * Cover] } scale Height]
+               [0.6 gradient x color_map { [0.0 rgb 0.2 * Cover] [0.3 rgb 1.3 * Cover] [0.7 rgb Cover] [1.0 rgb 0.1 * Cover] } scale Thick + 0.1]
+            }
+         }
+         finish { Matt }
          rotate select(rand(Room_Lot) - 0.93, 0, 9) * z
          translate <At, Y, Z>
-         pigment { rgb Tone * Book_Colours[int(3.999 * Hue)] }
-         finish { Matt }
       }
       #local At = At + Thick + select(rand(Room_Lot) - 0.9, 1, 60 * rand(Room_Lot));
    #end
@@ -292,13 +301,6 @@ union {
       translate <0.12 * Room_Half, Floor + 1250, Room_Back>
    }
    Bookcase(0.45 * Room_Half, 0.48 * Room_Half, 2120)
-}
-// What walls and floor give back, from where daylight falls in.
-#declare Room_Span = Room_Back - Room_Front;
-#declare Room_Bounce = 0.17;
-light_source {
-   <0, Floor + 300, Room_Front + 0.35 * Room_Span>, rgb Room_Bounce * <1.0, 0.88, 0.72>
-   fade_distance 0.5 * Room_Span fade_power 2 shadowless
 }
 
 // ---- outside: a garden, out of focus, and its light

@@ -26,18 +26,6 @@ void append_needles(const Polygon& ring, std::vector<std::vector<vec2>>& needles
   }
 }
 
-double perimeter_mm(const Polygon& ring) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) sum += glm::length(ring[(i + 1) % ring.size()] - ring[i]);
-  return sum;
-}
-
-double perimeter_mm(const Region& region) {
-  double sum = perimeter_mm(region.outline);
-  for (const Polygon& hole : region.holes) sum += perimeter_mm(hole);
-  return sum;
-}
-
 // Of border that a region without slivers loses when it is drawn in, in units of their width. By eye: more than corners do,
 // less than a spike ten times as long as wide.
 constexpr double border_lost = 10.0;
@@ -48,19 +36,16 @@ std::vector<Region> without_slivers(const std::vector<Region>& regions, double w
   std::vector<Region> result;
   for (const Region& region : regions) {
     const std::vector<Region> cores = offset(region, -0.5 * width_mm);
-    double border_mm = 0.0;
-    for (const Region& core : cores) border_mm += perimeter_mm(core);
-    if (cores.size() == 1 && border_mm > perimeter_mm(region) - border_lost * width_mm) {
+    if (cores.size() != 1) {
+      for (const Region& core : cores) std::ranges::move(offset(core, 0.5 * width_mm), std::back_inserter(result));
+    } else if (perimeter(cores.front()) > perimeter(region) - border_lost * width_mm) {
       result.push_back(region);
-      continue;
-    }
-    if (cores.size() == 1) {
-      // Grown by more than it was drawn in, it cuts off spikes alone.
-      for (const Region& grown : offset(cores.front(), width_mm))
+    } else {
+      // Grown by more than it was drawn in, the core cuts off spikes alone.
+      for (const Region& grown : offset(cores.front(), width_mm)) {
         std::ranges::move(intersection(region, grown), std::back_inserter(result));
-      continue;
+      }
     }
-    for (const Region& core : cores) std::ranges::move(offset(core, 0.5 * width_mm), std::back_inserter(result));
   }
   return result;
 }

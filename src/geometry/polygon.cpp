@@ -44,6 +44,18 @@ double area(const Region& region) {
   return total;
 }
 
+double perimeter(const Polygon& polygon) {
+  double total = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) total += glm::length(polygon[(i + 1) % polygon.size()] - polygon[i]);
+  return total;
+}
+
+double perimeter(const Region& region) {
+  double total = perimeter(region.outline);
+  for (const Polygon& hole : region.holes) total += perimeter(hole);
+  return total;
+}
+
 vec2 centroid(const Polygon& polygon) {
   vec2 moment{0.0, 0.0};
   double twice = 0.0;

@@ -33,6 +33,10 @@ inline bool boxes_meet(const Box& a, const Box& b) {
 double area(const Polygon& polygon);
 double area(const Region& region);
 
+// Of all its rings; mm.
+double perimeter(const Polygon& polygon);
+double perimeter(const Region& region);
+
 vec2 centroid(const Polygon& polygon);
 
 // The smallest box about the polygon, which must not be empty.

@@ -27,18 +27,6 @@ constexpr std::size_t most_named = 4;
 // How many stones more than by area there are for each stone's length of border: by counting those of scenes/bonds.toml.
 constexpr double cut_more = 0.2;
 
-double length_of(const geometry::Polygon& ring) {
-  double total = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) total += glm::length(ring[(i + 1) % ring.size()] - ring[i]);
-  return total;
-}
-
-double border_length(const geometry::Region& area) {
-  double total = length_of(area.outline);
-  for (const geometry::Polygon& hole : area.holes) total += length_of(hole);
-  return total;
-}
-
 // Whole stones by area. Along the border half a stone more is cut than by area, but small pieces are joined to their
 // neighbours.
 double expected_stones(const Pavement& pavement) {
@@ -47,11 +35,11 @@ double expected_stones(const Pavement& pavement) {
   std::vector<geometry::Region> field = {pavement.area};
   if (pavement.border.course != paving::BorderCourse::none) {
     const vec2 border = paving::border_stone_mm(pavement) + vec2(pavement.joint_mm);
-    count += border_length(pavement.area) / border.x;
+    count += geometry::perimeter(pavement.area) / border.x;
     field = geometry::offset(pavement.area, -border.y);
   }
   for (const geometry::Region& region : field) {
-    count += geometry::area(region) / one + cut_more * border_length(region) / std::sqrt(one);
+    count += geometry::area(region) / one + cut_more * geometry::perimeter(region) / std::sqrt(one);
   }
   return count * (1.0 - pavement.variation.missing);
 }

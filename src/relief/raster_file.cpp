@@ -96,7 +96,7 @@ class RasterFile::Writer {
         ++done_;
       }
     } catch (const std::exception&) {
-      done_ = level_.height;  // what made it be left is on its way already
+      // What made it be left is on its way already.
     }
   }
 

@@ -18,6 +18,7 @@
 #include "pipeline/subprocess.h"
 #include "pipeline/write.h"
 #include "support/places.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::pipeline {
 namespace {
@@ -43,28 +44,25 @@ struct Outcome {
   std::string err;  // stderr
 };
 
-class Command : public testing::Test {
+class Command : public support::FolderTest {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "command-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    root = pattern;
-    write_file(root / "s.toml", scene);
-    fs::create_directory(root / "same");
+    write_file(folder_ / "s.toml", scene);
+    fs::create_directory(folder_ / "same");
   }
-  void TearDown() override { fs::remove_all(root); }
 
   // The shell only takes the two streams apart.
   Outcome command(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {}) const {
     std::vector<std::string> all = {"sh", "-c", "exec \"$0\" \"$@\" >stdout.txt 2>stderr.txt", support::command()};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    const Ending ending = pipeline::run({all, root, environment, {}}, [](std::string_view) {}, {});
+    const Ending ending = pipeline::run({all, folder_, environment, {}}, [](std::string_view) {}, {});
     EXPECT_EQ(ending.signal, 0);
     // A slow machine, or one under a sanitizer, gets to the first line of progress, of which tests of ProgressReport speak.
     static const std::regex progress("[^\n]*: [0-9]+ %, [0-9]+ s\n");
-    Outcome result{ending.status, text_of(root / "stdout.txt"), std::regex_replace(text_of(root / "stderr.txt"), progress, "")};
-    fs::remove(root / "stdout.txt");
-    fs::remove(root / "stderr.txt");
+    Outcome result{ending.status, text_of(folder_ / "stdout.txt"),
+                   std::regex_replace(text_of(folder_ / "stderr.txt"), progress, "")};
+    fs::remove(folder_ / "stdout.txt");
+    fs::remove(folder_ / "stderr.txt");
     return result;
   }
 
@@ -96,8 +94,6 @@ kind = "boundary"
 [pavement.textures]
 size_px = 256
 )";
-
-  fs::path root;
 };
 
 TEST_F(Command, WritesTheSameBytesWithAnyThreadsLocaleAndProcessor) {
@@ -110,7 +106,7 @@ TEST_F(Command, WritesTheSameBytesWithAnyThreadsLocaleAndProcessor) {
     const Outcome result = command(arguments, environment);
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.err, "");
-    return files_in(root / folder);
+    return files_in(folder_ / folder);
   };
   const Files first = exported("one", "1", {});
   EXPECT_GE(first.size(), 13U);
@@ -120,7 +116,7 @@ TEST_F(Command, WritesTheSameBytesWithAnyThreadsLocaleAndProcessor) {
   // A twin that must differ, or equality means nothing.
   const Outcome other = command({"export", "s.toml", "-o", "other", "--target", "json", "--seed", "4"});
   EXPECT_EQ(other.status, 0);
-  EXPECT_NE(text_of(root / "other/s.json"), first.at("s.json"));
+  EXPECT_NE(text_of(folder_ / "other/s.json"), first.at("s.json"));
 }
 
 // The C library's functions really change by that switch, on a processor that has what it leaves out; on another they do not.
@@ -130,7 +126,7 @@ TEST_F(Command, TunablesChangeTheCLibrary) {
     std::string text;
     const std::string script =
         "import math; print(hash(tuple(math.pow(1 + i / 999, 1.37) + math.sin(i) for i in range(50000))))";
-    pipeline::run({{"python3", "-c", script}, root, environment, {}}, [&](std::string_view more) { text += more; }, {});
+    pipeline::run({{"python3", "-c", script}, folder_, environment, {}}, [&](std::string_view more) { text += more; }, {});
     return text;
   };
   const std::string usual = results({});
@@ -153,16 +149,16 @@ TEST_F(Command, PrintsOneLineForEachFileAndNothingElse) {
 }
 
 TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
-  write_file(root / "a_file", "x");
-  write_file(root / "path_textures.toml", scene);
-  write_file(root / "bad.toml", "[[pane]]\nname = \"w\"\nsize_mm = [nan, 9]\n");
-  const Files before = files_in(root);
+  write_file(folder_ / "a_file", "x");
+  write_file(folder_ / "path_textures.toml", scene);
+  write_file(folder_ / "bad.toml", "[[pane]]\nname = \"w\"\nsize_mm = [nan, 9]\n");
+  const Files before = files_in(folder_);
   const auto expect = [&](const std::vector<std::string>& arguments, const std::string& message) {
     const Outcome result = command(arguments);
     EXPECT_EQ(result.status, 2) << message;
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, message + "\n");
-    EXPECT_EQ(files_in(root), before);
+    EXPECT_EQ(files_in(folder_), before);
   };
   expect({"export", "bad.toml", "-o", "out"},
          "bad.toml:3:12: pane[0].size_mm[0]: expected a number above 0 and of at most 1000000, got nan");
@@ -193,12 +189,12 @@ TEST_F(Command, WrongInputAndUsageEndWithTwoAndWriteNothing) {
 
 // Each message names the word, what was expected, the names there are, and the one that was probably meant.
 TEST_F(Command, WrongUsageNamesTheWordAndWhatWasMeant) {
-  write_file(root / "t.toml", scene);
-  write_file(root / "binary.toml", std::string("\x7f"
-                                               "ELF\x02\x01\x01\0\xff\xfe",
-                                               10));
-  fs::create_directories(root / "folder.toml");
-  const Files before = files_in(root);
+  write_file(folder_ / "t.toml", scene);
+  write_file(folder_ / "binary.toml", std::string("\x7f"
+                                                  "ELF\x02\x01\x01\0\xff\xfe",
+                                                  10));
+  fs::create_directories(folder_ / "folder.toml");
+  const Files before = files_in(folder_);
   struct Usage {
     std::vector<std::string> arguments;
     std::string message;
@@ -266,13 +262,13 @@ TEST_F(Command, WrongUsageNamesTheWordAndWhatWasMeant) {
     EXPECT_EQ(result.status, 2) << usage.message;
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, usage.message + "\n");
-    EXPECT_EQ(files_in(root), before);
+    EXPECT_EQ(files_in(folder_), before);
   }
 }
 
 // An empty file is an import that finds nothing, hours later.
 TEST_F(Command, RefusesAnObjWithoutContent) {
-  write_file(root / "gone.toml", R"(seed = 3
+  write_file(folder_ / "gone.toml", R"(seed = 3
 [[pane]]
 name = "window"
 size_mm = [100, 80]
@@ -280,13 +276,13 @@ impact = [{at_mm = [50, 40], radial_count = 9}]
 [pane.shards]
 splinter_mm2 = 100000
 )");
-  const Files before = files_in(root);
+  const Files before = files_in(folder_);
   const auto expect = [&](const std::vector<std::string>& arguments, const std::string& message) {
     const Outcome result = command(arguments);
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, message);
-    EXPECT_EQ(files_in(root), before);
+    EXPECT_EQ(files_in(folder_), before);
   };
   expect(
       {"export", "gone.toml", "-o", "out", "--target", "obj"},
@@ -298,7 +294,7 @@ splinter_mm2 = 100000
 
 // What no machine could hold is refused before it is made.
 TEST_F(Command, RefusesMeshesOfTooManyStones) {
-  write_file(root / "square.toml", R"([[pavement]]
+  write_file(folder_ / "square.toml", R"([[pavement]]
 name = "square"
 size_mm = [80000, 80000]
 stone_mm = [100, 100]
@@ -315,7 +311,7 @@ joint_mm = 0
 }
 
 TEST_F(Command, AFolderThatCannotBeMadeIsWrongInput) {
-  fs::create_symlink(root / "nowhere" / "at" / "all", root / "dangling");
+  fs::create_symlink(folder_ / "nowhere" / "at" / "all", folder_ / "dangling");
   const auto expect = [&](const std::string& folder, const std::string& words) {
     const Outcome result = command({"export", "s.toml", "-o", folder, "--target", "json"});
     EXPECT_EQ(result.status, 2) << folder;
@@ -330,15 +326,15 @@ TEST_F(Command, AFolderThatCannotBeMadeIsWrongInput) {
   expect("/proc", "/proc: expected an output folder that can be written to, got: ");
   expect(std::string(300, 'x'), "expected a folder that can be made and written to, got an error: ");
   if (::geteuid() == 0) return;  // who may write everywhere
-  fs::create_directories(root / "locked");
-  fs::permissions(root / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+  fs::create_directories(folder_ / "locked");
+  fs::permissions(folder_ / "locked", fs::perms::owner_read | fs::perms::owner_exec);
   expect("locked", "locked: expected a folder that can be made and written to, got an error: ");
   expect("locked/below", "expected a folder that can be made and written to, got an error: ");
 }
 
 // What cannot be laid, or has no effect, is told at its place; and the work is done.
 TEST_F(Command, TellsWhatHasNoEffectAndWhereNothingIsLaid) {
-  write_file(root / "told.toml", R"([[pane]]
+  write_file(folder_ / "told.toml", R"([[pane]]
 name = "w"
 size_mm = [90, 70]
 [[pane.impact]]
@@ -377,7 +373,7 @@ variation.missing = 1
 // What laying and seamless tiles refuse has the place of the key.
 TEST_F(Command, RefusalsOfLayingHaveTheirPlaces) {
   const auto expect = [&](const std::string& lines, const std::string& message) {
-    write_file(root / "laid.toml", "[[pavement]]\nname = \"p\"\nsize_mm = [900, 900]\n" + lines);
+    write_file(folder_ / "laid.toml", "[[pavement]]\nname = \"p\"\nsize_mm = [900, 900]\n" + lines);
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"check", "laid.toml"},
                                                {"export", "laid.toml", "-o", "out", "--target", "json"},
@@ -385,7 +381,7 @@ TEST_F(Command, RefusalsOfLayingHaveTheirPlaces) {
       const Outcome result = command(arguments);
       EXPECT_EQ(result.status, 2) << arguments.front();
       EXPECT_EQ(result.err, message + "\n");
-      EXPECT_FALSE(fs::exists(root / "out"));
+      EXPECT_FALSE(fs::exists(folder_ / "out"));
     }
   };
   expect("bond = \"fan\"\nbond_span_mm = 40\n",
@@ -408,7 +404,7 @@ TEST_F(Command, MeasuresTheSameBytesWithAnyThreads) {
     EXPECT_TRUE(result.out.starts_with(folder + "/s-measures.csv\n" + folder + "/s-measures.json\n")) << result.out;
     // Without the plotting library there is no report, and one line that says so.
     EXPECT_EQ(result.err.empty(), result.out.ends_with("s-measures.html\n")) << result.err;
-    return files_in(root / folder);
+    return files_in(folder_ / folder);
   };
   const Files first = measured("one", "1", "3");
   EXPECT_GE(first.size(), 2U);
@@ -417,8 +413,8 @@ TEST_F(Command, MeasuresTheSameBytesWithAnyThreads) {
 }
 
 TEST_F(Command, WrongUsageOfMeasureEndsWithTwoAndWritesNothing) {
-  write_file(root / "path.toml", "[[pavement]]\nname = \"p\"\nsize_mm = [900, 900]\n");
-  const Files before = files_in(root);
+  write_file(folder_ / "path.toml", "[[pavement]]\nname = \"p\"\nsize_mm = [900, 900]\n");
+  const Files before = files_in(folder_);
   const auto expect = [&](const std::vector<std::string>& options, const std::string& message) {
     std::vector<std::string> arguments = {"measure"};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -427,7 +423,7 @@ TEST_F(Command, WrongUsageOfMeasureEndsWithTwoAndWritesNothing) {
     EXPECT_EQ(result.out, "");
     EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_EQ(files_in(root), before);
+    EXPECT_EQ(files_in(folder_), before);
   };
   expect({"s.toml", "--seeds", "3"}, "shatterpave: measure: expected -o DIR, the output folder, got none");
   for (const char* seeds : {"0", "-3", "many", "100001", "3x", ""}) {
@@ -447,28 +443,28 @@ TEST_F(Command, WrongUsageOfMeasureEndsWithTwoAndWritesNothing) {
 
 // What stands in the way of the last file takes back the ones before it.
 TEST_F(Command, FailingMeasureLeavesWhatWasThere) {
-  fs::create_directories(root / "out/s-measures.json");
-  write_file(root / "out/s-measures.csv", "old");
-  const Files before = files_in(root);
+  fs::create_directories(folder_ / "out/s-measures.json");
+  write_file(folder_ / "out/s-measures.csv", "old");
+  const Files before = files_in(folder_);
   EXPECT_EQ(command({"measure", "s.toml", "-o", "out", "--seeds", "2"}).status, 2);
-  EXPECT_EQ(files_in(root), before);
+  EXPECT_EQ(files_in(folder_), before);
 }
 
 // Two scenes, each with a pavement of the same name: the second is refused, and says why.
 TEST_F(Command, FilesOfAnotherSceneAreNotReplaced) {
   for (const char* const target : {"povray", "textures"}) {
     const std::string textures = "[pavement.textures]\nsize_px = 256\n";
-    write_file(root / "monday.toml", "[[pavement]]\nname = \"plaza\"\nsize_mm = [2000, 1000]\n" + textures);
-    write_file(root / "tuesday.toml", "[[pavement]]\nname = \"plaza\"\nsize_mm = [1000, 2000]\n" + textures);
+    write_file(folder_ / "monday.toml", "[[pavement]]\nname = \"plaza\"\nsize_mm = [2000, 1000]\n" + textures);
+    write_file(folder_ / "tuesday.toml", "[[pavement]]\nname = \"plaza\"\nsize_mm = [1000, 2000]\n" + textures);
     const std::string folder = std::string("out-") + target;
     EXPECT_EQ(command({"export", "monday.toml", "-o", folder, "--target", target}).status, 0);
-    const Files before = files_in(root / folder);
+    const Files before = files_in(folder_ / folder);
     const Outcome refused = command({"export", "tuesday.toml", "-o", folder, "--target", target});
     EXPECT_EQ(refused.status, 2);
     EXPECT_TRUE(refused.err.starts_with(folder + "/plaza")) << refused.err;
     EXPECT_NE(refused.err.find("got one of the export of the scene 'monday'"), std::string::npos) << refused.err;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
-    EXPECT_EQ(files_in(root / folder), before);
+    EXPECT_EQ(files_in(folder_ / folder), before);
     // By another name it goes beside it, and the first scene may be written again.
     EXPECT_EQ(command({"export", "tuesday.toml", "-o", folder, "--target", target, "--set", "pavement[0].name=square"}).status,
               0);
@@ -479,15 +475,15 @@ TEST_F(Command, FilesOfAnotherSceneAreNotReplaced) {
 TEST_F(Command, FilesOfAnotherSeedDoNotStayBesideNewOnes) {
   EXPECT_EQ(command({"export", "s.toml", "-o", "out", "--target", "json", "--target", "svg"}).status, 0);
   // The same state of the scene, said in another way.
-  write_file(root / "same/s.toml", "# A remark.\n" + std::string(scene));
+  write_file(folder_ / "same/s.toml", "# A remark.\n" + std::string(scene));
   EXPECT_EQ(command({"export", "same/s.toml", "-o", "out", "--target", "json", "--seed", "3"}).err, "");
-  EXPECT_TRUE(fs::exists(root / "out/s-path.svg"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/s-path.svg"));
   const Outcome other = command({"export", "s.toml", "-o", "out", "--target", "json", "--seed", "4"});
   EXPECT_EQ(other.status, 0);
   EXPECT_EQ(other.out, "out/s.json\n");
   EXPECT_EQ(other.err,
             "shatterpave: out: removed files of another state of the scene 's': s-other.svg, s-path.svg, s-window.svg\n");
-  EXPECT_EQ(files_in(root / "out").size(), 2U);
+  EXPECT_EQ(files_in(folder_ / "out").size(), 2U);
 }
 
 TEST_F(Command, ShowsHelpAndVersion) {
@@ -502,12 +498,12 @@ TEST_F(Command, ShowsHelpAndVersion) {
 class FailingRenderer : public Command {
  protected:
   Outcome render_with(const std::string& script) {
-    fs::create_directories(root / "bin");
-    write_file(root / "bin/povray", "#!/bin/sh\n" + script);
-    fs::permissions(root / "bin/povray", fs::perms::owner_all);
+    fs::create_directories(folder_ / "bin");
+    write_file(folder_ / "bin/povray", "#!/bin/sh\n" + script);
+    fs::permissions(folder_ / "bin/povray", fs::perms::owner_all);
     const char* path = std::getenv("PATH");
     return command({"render", "s.toml", "-o", "out"},
-                   {"PATH=" + (root / "bin").string() + ":" + (path != nullptr ? path : "")});
+                   {"PATH=" + (folder_ / "bin").string() + ":" + (path != nullptr ? path : "")});
   }
 };
 
@@ -523,30 +519,30 @@ TEST_F(FailingRenderer, EndsWithThreeAndItsOwnMessage) {
   const Outcome nothing = render_with("exit 0\n");
   EXPECT_EQ(nothing.status, 3);
   EXPECT_TRUE(nothing.err.starts_with("POV-Ray left no picture")) << nothing.err;
-  EXPECT_FALSE(fs::exists(root / "out"));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 TEST_F(Command, MissingRendererEndsWithThree) {
-  const Outcome result = command({"render", "s.toml", "-o", "out"}, {"PATH=" + root.string()});
+  const Outcome result = command({"render", "s.toml", "-o", "out"}, {"PATH=" + folder_.string()});
   EXPECT_EQ(result.status, 3);
   EXPECT_EQ(result.err, "POV-Ray was not found: expected the program povray (Debian package povray) in PATH\n");
-  EXPECT_FALSE(fs::exists(root / "out"));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 // Ctrl-C while the renderer is at work: it is ended, and nothing is left. It does not listen, and is a script that has started
 // another program.
 TEST_F(FailingRenderer, InterruptEndsTheRendererAndLeavesNothing) {
-  fs::create_directories(root / "bin");
-  const fs::path started = root / "started";
+  fs::create_directories(folder_ / "bin");
+  const fs::path started = folder_ / "started";
   const std::string script =
       "#!/bin/sh\ntrap '' INT TERM HUP\nsleep 60 &\necho $! > " + started.string() + "\nwhile :; do wait; done\n";
-  write_file(root / "bin/povray", script);
-  fs::permissions(root / "bin/povray", fs::perms::owner_all);
+  write_file(folder_ / "bin/povray", script);
+  fs::permissions(folder_ / "bin/povray", fs::perms::owner_all);
   const std::string command = support::command();
   const pid_t child = ::fork();
   if (child == 0) {
-    ::setenv("PATH", ((root / "bin").string() + ":" + std::getenv("PATH")).c_str(), 1);
-    if (::chdir(root.c_str()) == 0) ::execl(command.c_str(), "shatterpave", "render", "s.toml", "-o", "out", nullptr);
+    ::setenv("PATH", ((folder_ / "bin").string() + ":" + std::getenv("PATH")).c_str(), 1);
+    if (::chdir(folder_.c_str()) == 0) ::execl(command.c_str(), "shatterpave", "render", "s.toml", "-o", "out", nullptr);
     ::_exit(99);
   }
   for (int i = 0; i < 600 && text_of(started).find('\n') == std::string::npos; ++i) {
@@ -554,7 +550,7 @@ TEST_F(FailingRenderer, InterruptEndsTheRendererAndLeavesNothing) {
   }
   const pid_t renderer = std::atoi(text_of(started).c_str());
   ASSERT_GT(renderer, 0);
-  EXPECT_TRUE(fs::exists(root / "out"));
+  EXPECT_TRUE(fs::exists(folder_ / "out"));
   ::kill(child, SIGINT);
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
@@ -566,7 +562,7 @@ TEST_F(FailingRenderer, InterruptEndsTheRendererAndLeavesNothing) {
     runs = !state.empty() && state.find(") Z") == std::string::npos;
   }
   EXPECT_FALSE(runs) << "the renderer still runs";
-  EXPECT_FALSE(fs::exists(root / "out"));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 }  // namespace

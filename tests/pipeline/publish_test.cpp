@@ -17,6 +17,7 @@
 #include "core/error.h"
 #include "core/sha256.h"
 #include "pipeline/write.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::pipeline {
 namespace {
@@ -28,18 +29,11 @@ using Files = std::map<std::string, std::string>;
 const Edition first{"s", "export", "1"};
 const Edition second{"s", "export", "2"};
 
-class Publishing : public testing::Test {
+class Publishing : public support::FolderTest {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "publish-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    root = pattern;
-  }
-  void TearDown() override { fs::remove_all(root); }
-
   Files content() const {
     Files files;
-    for (const auto& entry : fs::directory_iterator(root)) {
+    for (const auto& entry : fs::directory_iterator(folder_)) {
       std::ifstream stream(entry.path(), std::ios::binary);
       std::ostringstream text;
       if (!entry.is_directory()) text << stream.rdbuf();
@@ -68,62 +62,60 @@ class Publishing : public testing::Test {
     }
     return result;
   }
-
-  fs::path root;
 };
 
 TEST_F(Publishing, WorkplaceOfAKilledRunIsCleared) {
   in_killed_run([&] {
-    Workplace workplace(root);
+    Workplace workplace(folder_);
     write_file(workplace.folder() / "a.txt", "half");
     ::_exit(0);
   });
-  fs::create_directory(root / ".shatterpave-abcdef");  // as earlier versions have left them
-  write_file(root / ".shatterpave-abcdef/b.txt", "half");
-  fs::create_directory(root / ".shatterpave-mine");  // not one of ours
+  fs::create_directory(folder_ / ".shatterpave-abcdef");  // as earlier versions have left them
+  write_file(folder_ / ".shatterpave-abcdef/b.txt", "half");
+  fs::create_directory(folder_ / ".shatterpave-mine");  // not one of ours
   EXPECT_EQ(content().size(), 3U);
-  written({{"c.txt", "1"}}, first, root);
+  written({{"c.txt", "1"}}, first, folder_);
   EXPECT_EQ(content().size(), 3U);
-  EXPECT_TRUE(fs::exists(root / ".shatterpave-mine"));
+  EXPECT_TRUE(fs::exists(folder_ / ".shatterpave-mine"));
 }
 
 TEST_F(Publishing, WorkplaceOfALivingRunStays) {
-  Workplace living(root);
+  Workplace living(folder_);
   write_file(living.folder() / "a.txt", "1");
-  in_killed_run([&] { written({{"b.txt", "1"}}, second, root); });
+  in_killed_run([&] { written({{"b.txt", "1"}}, second, folder_); });
   EXPECT_TRUE(fs::exists(living.folder() / "a.txt"));
-  published(living, staged(living, {{"a.txt", "1"}}), first, root);
+  published(living, staged(living, {{"a.txt", "1"}}), first, folder_);
   EXPECT_EQ(content().at("a.txt"), "1");
 }
 
 // Killed after each step of a publication: the next run, of another scene, puts back all that was there before.
 TEST_F(Publishing, HalfOfAPublicationIsTakenBack) {
-  written({{"s.json", "1"}, {"s.svg", "1"}, {"s.obj", "1"}}, first, root);
+  written({{"s.json", "1"}, {"s.svg", "1"}, {"s.obj", "1"}}, first, folder_);
   const Files before = content();
   constexpr int steps = 7;
   int mixed = 0;
   for (int step = 0; step <= steps; ++step) {
     in_killed_run([&] {
-      Workplace workplace(root);
+      Workplace workplace(folder_);
       const fs::path& place = workplace.folder();
       staged(workplace, {{"s.json", "2"}, {"s.new", "2"}});
       fs::create_directory(place / ".kept");
       // By hand what `published` does, up to that step.
       write_file(place / ".journal", "kept s.json\nkept s.svg\nkept s.obj\nfresh s.new\n\n" + before.at(".scenes.shatterpave"));
-      if (step > 0) fs::create_hard_link(root / "s.json", place / ".kept/s.json");
-      if (step > 1) fs::create_hard_link(root / "s.svg", place / ".kept/s.svg");
-      if (step > 2) fs::rename(root / "s.obj", place / ".kept/s.obj");  // as where there are no hard links
-      if (step > 3) fs::rename(place / "s.json", root / "s.json");
-      if (step > 4) fs::rename(place / "s.new", root / "s.new");
-      if (step > 5) fs::remove(root / "s.svg");
-      if (step > 6) write_file(root / notes_file, "half of a no");
+      if (step > 0) fs::create_hard_link(folder_ / "s.json", place / ".kept/s.json");
+      if (step > 1) fs::create_hard_link(folder_ / "s.svg", place / ".kept/s.svg");
+      if (step > 2) fs::rename(folder_ / "s.obj", place / ".kept/s.obj");  // as where there are no hard links
+      if (step > 3) fs::rename(place / "s.json", folder_ / "s.json");
+      if (step > 4) fs::rename(place / "s.new", folder_ / "s.new");
+      if (step > 5) fs::remove(folder_ / "s.svg");
+      if (step > 6) write_file(folder_ / notes_file, "half of a no");
       ::_exit(0);
     });
     Files left = content();
     std::erase_if(left, [](const auto& file) { return file.second == "folder"; });
     if (left != before) ++mixed;
     {
-      const FolderLock lock(root);
+      const FolderLock lock(folder_);
       clear_killed(lock);
     }
     ASSERT_EQ(content(), before) << "killed after step " << step;
@@ -132,22 +124,22 @@ TEST_F(Publishing, HalfOfAPublicationIsTakenBack) {
 }
 
 TEST_F(Publishing, FailureWhileFilesMoveTakesThemBack) {
-  written({{"s.json", "1"}, {"s.svg", "1"}}, first, root);
+  written({{"s.json", "1"}, {"s.svg", "1"}}, first, folder_);
   const Files before = content();
-  Workplace workplace(root);
+  Workplace workplace(folder_);
   std::vector<StagedFile> files = staged(workplace, {{"s.json", "2"}, {"s.new", "2"}});
   files.push_back({"s.never", sha256("")});  // is not there, so it cannot be moved
-  EXPECT_THROW(published(workplace, files, second, root), fs::filesystem_error);
+  EXPECT_THROW(published(workplace, files, second, folder_), fs::filesystem_error);
   Files after = content();
   std::erase_if(after, [](const auto& file) { return file.second == "folder"; });
   EXPECT_EQ(after, before);
 }
 
 TEST_F(Publishing, FolderThatWentAwayIsAnError) {
-  Workplace workplace(root / "out");
+  Workplace workplace(folder_ / "out");
   const std::vector<StagedFile> files = staged(workplace, {{"s.json", "1"}});
-  fs::remove_all(root / "out");
-  EXPECT_THROW(published(workplace, files, first, root / "out"), fs::filesystem_error);
+  fs::remove_all(folder_ / "out");
+  EXPECT_THROW(published(workplace, files, first, folder_ / "out"), fs::filesystem_error);
   EXPECT_EQ(content(), Files());
 }
 
@@ -159,15 +151,15 @@ TEST_F(Publishing, NamesNeedNotBeUtf8) {
           {"stra\xDF"
            "e",
            "export", "1"},
-          root);
+          folder_);
   EXPECT_EQ(written({{"s.svg", "2"}},
                     {"stra\xDF"
                      "e",
                      "export", "2"},
-                    root)
+                    folder_)
                 .removed,
             std::vector<std::string>{name});
-  EXPECT_THROW(written({{"s.svg", "3"}}, first, root), InputError);
+  EXPECT_THROW(written({{"s.svg", "3"}}, first, folder_), InputError);
 }
 
 TEST(FolderNotes, AreReadAsTheyAreWritten) {
@@ -190,16 +182,16 @@ class Locks : public Publishing, public testing::WithParamInterface<Locking> {};
 INSTANTIATE_TEST_SUITE_P(Both, Locks, testing::Values(Locking::kernel, Locking::age));
 
 TEST_P(Locks, OneAtATime) {
-  std::optional<FolderLock> lock(std::in_place, root, Cancelled(), GetParam());
+  std::optional<FolderLock> lock(std::in_place, folder_, Cancelled(), GetParam());
   int asked = 0;
   EXPECT_THROW(FolderLock(
-                   root, [&] { return ++asked > 5; }, GetParam()),
+                   folder_, [&] { return ++asked > 5; }, GetParam()),
                Interrupted);
   EXPECT_EQ(asked, 6);
   lock.reset();
   EXPECT_EQ(content(), Files()) << "a lock leaves nothing";
   EXPECT_NO_THROW(FolderLock(
-      root, [] { return true; }, GetParam()));
+      folder_, [] { return true; }, GetParam()));
 }
 
 // Runs that add one to a number in the notes, each many times.
@@ -211,14 +203,14 @@ TEST_P(Locks, NoneIsInTheMiddleOfAnother) {
     children.push_back(::fork());
     if (children.back() != 0) continue;
     for (int turn = 0; turn < turns; ++turn) {
-      const FolderLock lock(root, {}, GetParam());
+      const FolderLock lock(folder_, {}, GetParam());
       const std::string before = lock.notes();
       lock.write_notes(std::to_string((before.empty() ? 0 : std::stoi(before)) + 1));
     }
     ::_exit(0);
   }
   for (const pid_t child : children) ::waitpid(child, nullptr, 0);
-  EXPECT_EQ(FolderLock(root, {}, GetParam()).notes(), std::to_string(runs * turns));
+  EXPECT_EQ(FolderLock(folder_, {}, GetParam()).notes(), std::to_string(runs * turns));
 }
 
 // Where every lock finds the file of notes missing, makes it, and takes it away again.
@@ -231,9 +223,9 @@ TEST_P(Locks, NoneIsInTheMiddleOfAnotherWithoutNotes) {
     if (children.back() != 0) continue;
     int together = 0;
     for (int turn = 0; turn < turns; ++turn) {
-      const FolderLock lock(root, {}, GetParam());
-      if (!fs::create_directory(root / "inside")) ++together;
-      fs::remove(root / "inside");
+      const FolderLock lock(folder_, {}, GetParam());
+      if (!fs::create_directory(folder_ / "inside")) ++together;
+      fs::remove(folder_ / "inside");
     }
     ::_exit(together);
   }
@@ -249,31 +241,31 @@ TEST_P(Locks, NoneIsInTheMiddleOfAnotherWithoutNotes) {
 
 TEST_P(Locks, KilledRunLeavesNone) {
   in_killed_run([&] {
-    const FolderLock lock(root, {}, GetParam());
+    const FolderLock lock(folder_, {}, GetParam());
     ::_exit(0);
   });
   if (GetParam() == Locking::age) {
     const auto old = fs::file_time_type::clock::now() - stale_lock - std::chrono::seconds(5);
-    fs::last_write_time(root / ".scenes.shatterpave-held", old);
+    fs::last_write_time(folder_ / ".scenes.shatterpave-held", old);
   }
   int asked = 0;
   EXPECT_NO_THROW(FolderLock(
-      root, [&] { return ++asked > 5; }, GetParam()));
+      folder_, [&] { return ++asked > 5; }, GetParam()));
   EXPECT_EQ(content(), Files());
 }
 
 TEST_P(Locks, MarkTellsWhoLives) {
-  const FolderLock lock(root, {}, GetParam());
-  EXPECT_FALSE(lock.is_alive(root / "none"));
+  const FolderLock lock(folder_, {}, GetParam());
+  EXPECT_FALSE(lock.is_alive(folder_ / "none"));
   {
-    LifeMark mark(root / "mark", GetParam());
-    EXPECT_TRUE(lock.is_alive(root / "mark"));
+    LifeMark mark(folder_ / "mark", GetParam());
+    EXPECT_TRUE(lock.is_alive(folder_ / "mark"));
   }
   if (GetParam() == Locking::age) {
-    EXPECT_TRUE(lock.is_alive(root / "mark")) << "nobody can know";
-    fs::last_write_time(root / "mark", fs::file_time_type::clock::now() - stale_mark - std::chrono::seconds(5));
+    EXPECT_TRUE(lock.is_alive(folder_ / "mark")) << "nobody can know";
+    fs::last_write_time(folder_ / "mark", fs::file_time_type::clock::now() - stale_mark - std::chrono::seconds(5));
   }
-  EXPECT_FALSE(lock.is_alive(root / "mark"));
+  EXPECT_FALSE(lock.is_alive(folder_ / "mark"));
 }
 
 }  // namespace

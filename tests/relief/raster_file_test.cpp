@@ -2,7 +2,6 @@
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,22 +9,16 @@
 #include <vector>
 
 #include "relief/raster.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::relief {
 namespace {
 
 namespace fs = std::filesystem;
 
-class RasterFileTest : public testing::Test {
+class RasterFileTest : public support::FolderTest {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() / ("raster-file-test-" + std::to_string(::getpid()));
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-  std::string path(const std::string& name) const { return (folder / name).string(); }
-
-  fs::path folder;
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
 };
 
 // Sixty-fourths, which half and float hold exactly.
@@ -122,7 +115,7 @@ TEST_F(RasterFileTest, FilesHoldNoTimeAndNoProgram) {
   EXPECT_NE(bytes_of(path("a.exr")).find(empty_date), std::string::npos);
   EXPECT_NE(bytes_of(path("b.exr")).find(empty_date), std::string::npos);
   for (const char* name : {"a.png", "a.exr", "b.exr"}) {
-    for (const char* word : {"Software", "software", "DateTime", "OpenImageIO", "hostComputer", "tIME", "raster-file-test"}) {
+    for (const char* word : {"Software", "software", "DateTime", "OpenImageIO", "hostComputer", "tIME", "shatterpave-test"}) {
       EXPECT_EQ(bytes_of(path(name)).find(word), std::string::npos) << name << " " << word;
     }
   }

@@ -142,5 +142,37 @@ TEST(GlassLook, DirtGathersAlongTheFrame) {
               1e-3);
 }
 
+// How bright an upright gap of 0.1 mm is in a slab of 6 mm before black, lit from both sides: the mean over 0.8 mm across it
+// and 100 mm along it.
+double gap_before_black(const std::string& name, const std::string& material, double degrees) {
+  const double angle = degrees * 3.14159265358979 / 180.0;
+  std::ostringstream scene;
+  scene << "light_source { <-3000, 3000, -6000> rgb 1 parallel point_at 0 }\n"
+        << "light_source { <3000, 3000, 6000> rgb 1 parallel point_at 0 }\nsky_sphere { pigment { rgb 0 } }\n"
+        << "box { <-500, -500, -3>, <500, 500, 3> material { Shatterpave_Glass } }\n"
+        << "box { <-0.05, -400, -2.99>, <0.05, 400, 2.99> " << material
+        << " double_illuminate }\ncamera { orthographic location <" << 200.0 * std::sin(angle) << ", 0, "
+        << -200.0 * std::cos(angle) << "> look_at 0 right x * 0.8 up y * 100 }\n";
+  return mean_of(name, scene.str())[1];
+}
+
+// A crack is a line to who stands before it, also where it is upright and mirrors nothing, and in tempered glass more than in
+// other. The twin: walls that are as dusty, and no more so along their mouths.
+TEST(GlassLook, UprightGapsShow) {
+  const std::string dusty =
+      "texture { pigment { function { 0.04 } color_map { [0 rgb 0.95 transmit 1] [1 rgb 0.92 transmit 0] } } finish { ambient "
+      "0 "
+      "diffuse 0.8 specular 0.9 roughness 0.006 reflection { 0, 1 fresnel on } conserve_energy } } interior { ior 1 }";
+  for (const double degrees : {0.0, 8.0}) {
+    const std::string name = "gap_" + std::to_string(static_cast<int>(degrees));
+    const double twin = gap_before_black(name + "_dusty", dusty, degrees);
+    const double plain = gap_before_black(name + "_plain", "Shatterpave_Sheet(<-80, 0, 0>, 6, 0, 0)", degrees);
+    const double dice = gap_before_black(name + "_dice", "Shatterpave_Sheet(<-80, 0, 0>, 6, 0, 1)", degrees);
+    EXPECT_GT(plain, 1.5 * twin) << degrees;
+    EXPECT_GT(dice, 1.25 * plain) << degrees;
+    EXPECT_LT(dice, 0.3) << degrees;  // a line, and no bar
+  }
+}
+
 }  // namespace
 }  // namespace shatterpave::render_tests

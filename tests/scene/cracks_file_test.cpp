@@ -1,8 +1,8 @@
 // Cracks from a geometry file and from a drawing, and what is said of those that are none.
 #include "scene/cracks_file.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -14,14 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 using glass::CrackKind;
 
-class CracksFiles : public testing::Test {
+class CracksFiles : public support::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("shatterpave-cracks-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   CracksFile read(const std::string& name, const std::string& content) const {
     std::ofstream(folder_ / name, std::ios::binary) << content;
     return cracks_of_file(folder_ / name, Place{"s.toml", 7, 3, "cracks_file"});
@@ -34,8 +28,6 @@ class CracksFiles : public testing::Test {
     }
     return "none";
   }
-
-  fs::path folder_;
 };
 
 std::string pane_with(const std::string& cracks) {

@@ -1,7 +1,6 @@
 #include "scene/direction_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,20 +8,15 @@
 
 #include "paving/bonds/bond.h"
 #include "scene/read_scene.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::scene {
 namespace {
 
 namespace fs = std::filesystem;
 
-class DirectionFiles : public testing::Test {
+class DirectionFiles : public support::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("shatterpave-directions-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   DirectionFile read(const std::string& name, const std::string& content) const {
     std::ofstream(folder_ / name, std::ios::binary) << content;
     return direction_of_file(folder_ / name, Place{"s.toml", 7, 3, "grid_file"}, {});
@@ -35,8 +29,6 @@ class DirectionFiles : public testing::Test {
     }
     return "none";
   }
-
-  fs::path folder_;
 };
 
 TEST_F(DirectionFiles, JsonAndCsvSayTheSame) {

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "core/error.h"
 #include "scene/read_scene.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::scene {
 namespace {
@@ -16,10 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Blender's data as Debian has it and as others have, where programs are told to look.
-class EnvironmentFile : public testing::Test {
+class EnvironmentFile : public support::FolderTest {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("shatterpave-environments-" + std::to_string(::getpid()));
     write(folder_ / "debian/blender/datafiles/studiolights/world/meadow.exr", exr + "debian");
     write(folder_ / "others/blender/3.4/datafiles/studiolights/world/harbour.exr", exr + "3.4");
     write(folder_ / "others/blender/4.2/datafiles/studiolights/world/harbour.exr", exr + "4.2");
@@ -28,10 +27,7 @@ class EnvironmentFile : public testing::Test {
     write(folder_ / "scenes/text.exr", "words");
     ::setenv("XDG_DATA_DIRS", ((folder_ / "debian").string() + ":relative:" + (folder_ / "others").string()).c_str(), 1);
   }
-  void TearDown() override {
-    ::unsetenv("XDG_DATA_DIRS");
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { ::unsetenv("XDG_DATA_DIRS"); }
 
   static void write(const fs::path& file, const std::string& content) {
     fs::create_directories(file.parent_path());
@@ -50,7 +46,6 @@ class EnvironmentFile : public testing::Test {
   }
 
   inline static const std::string exr = "\x76\x2f\x31\x01";
-  fs::path folder_;
 };
 
 TEST_F(EnvironmentFile, NamesAreThoseInstalled) {

@@ -5,7 +5,6 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -21,6 +20,7 @@
 #include "paving/bonds/bond.h"
 #include "scene/direction_file.h"
 #include "scene/read_scene.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::scene {
 namespace {
@@ -31,15 +31,8 @@ constexpr int columns = 4;
 constexpr int rows = 3;
 using Value = std::function<float(int column, int row)>;
 
-class VectorPictures : public testing::Test {
+class VectorPictures : public support::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("shatterpave-vectors-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-    file_ = folder_ / "field.exr";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   // Rows from the top. The data window begins away from (0, 0), as that of a crop does.
   void write(const std::vector<std::pair<std::string, Value>>& channels) const {
     const Imath::Box2i window({5, -2}, {5 + columns - 1, -2 + rows - 1});
@@ -74,8 +67,7 @@ class VectorPictures : public testing::Test {
     return "none";
   }
 
-  fs::path folder_;
-  fs::path file_;
+  const fs::path file_ = folder_ / "field.exr";
 };
 
 constexpr geometry::Box whole{{1000.0, 2000.0}, {1400.0, 2300.0}};

@@ -1,7 +1,6 @@
 // Any bytes become a Scene or an InputError of one line: never another exception, a crash or a hang. The cases are mutations of
 // valid files, drawn by address, so that a failure can be repeated.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include "core/random.h"
 #include "scene/plans/plan_areas.h"
 #include "scene/read_scene.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::scene {
 namespace {
@@ -208,9 +208,8 @@ TEST(Fuzz, ReferenceSystemsOrInputErrors) {
 }
 
 TEST(Fuzz, ScenesWithPlansOrInputErrors) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("shatterpave_fuzz_plans_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const support::TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
   const auto feature = [](const std::string& id, const std::string& geometry) {
     return R"({"type":"Feature","id":")" + id + R"(","properties":{"class":"a"},"geometry":)" + geometry + "}";
   };
@@ -226,7 +225,6 @@ TEST(Fuzz, ScenesWithPlansOrInputErrors) {
         "direction = {kind = \"guides\", guides_class = \"a\"}\n",
         folder / "s.toml");
   });
-  std::filesystem::remove_all(folder);
   EXPECT_GT(ends.values, 50);  // most changes of a digit move a corner by kilometres
   EXPECT_GT(ends.errors, 300);
 }
@@ -247,9 +245,8 @@ TEST(Fuzz, SvgRegionsOrInputErrors) {
 }
 
 TEST(Fuzz, ScenesWithModulesOrInputErrors) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("shatterpave_fuzz_modules_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const support::TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
   const std::string open = R"x(<svg xmlns="http://www.w3.org/2000/svg" width="400mm" height="300mm" viewBox="0 0 400 300">)x";
   const std::vector<std::string> seeds = {
       open + R"x(<rect width="200" height="100"/><rect x="200" width="100" height="100"/></svg>)x",
@@ -262,7 +259,6 @@ TEST(Fuzz, ScenesWithModulesOrInputErrors) {
         "module_mm = [[300, 0], [0, 100]]\n",
         folder / "s.toml");
   });
-  std::filesystem::remove_all(folder);
   EXPECT_GT(ends.values, 300);
   EXPECT_GT(ends.errors, 1000);
 }

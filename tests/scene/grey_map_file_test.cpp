@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
-#include <unistd.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "scene/read_scene.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::scene {
 namespace {
@@ -37,14 +37,8 @@ std::string grey_png(png_uint_32 columns, png_uint_32 rows, const std::vector<st
   return png_of(PNG_FORMAT_GRAY, columns, rows, levels);
 }
 
-class GreyMapFiles : public testing::Test {
+class GreyMapFiles : public support::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("shatterpave-greys-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   GreyMapFile read(const std::string& content) const {
     std::ofstream(folder_ / "m.png", std::ios::binary) << content;
     return grey_map_of_file(folder_ / "m.png", Place{"s.toml", 7, 3, "map_file"});
@@ -57,8 +51,6 @@ class GreyMapFiles : public testing::Test {
     }
     return "none";
   }
-
-  fs::path folder_;
 };
 
 TEST_F(GreyMapFiles, LevelsAreTakenAsTheyAre) {

@@ -1,6 +1,5 @@
 // The keys of a module: a drawing beside the scene, and what is refused of it.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,21 +9,19 @@
 #include "core/error.h"
 #include "paving/pavement.h"
 #include "scene/read_scene.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::scene {
 namespace {
 
 using paving::Bond;
 
-class ModuleSection : public testing::Test {
+class ModuleSection : public support::FolderTest {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("shatterpave_module_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
     draw("tile.svg",
          R"(<rect class="stone" width="200" height="100"/><g id="dots"><rect x="200" width="100" height="100"/></g>)");
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   // Page units are centimetres where `viewBox` says 40 to 400 mm.
   void draw(const std::string& name, const std::string& shapes, const std::string& view_box = "0 0 400 300") const {
@@ -53,8 +50,6 @@ class ModuleSection : public testing::Test {
     for (const Note& note : read(lines).notes) notes.push_back(note.place.key + ": " + note.what);
     return notes;
   }
-
-  std::filesystem::path folder_;
 };
 
 const std::string module_lines = "bond = \"module\"\nmodule_file = \"tile.svg\"\n";

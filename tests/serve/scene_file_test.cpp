@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::serve {
 
@@ -26,15 +26,9 @@ const std::string shown_scene =
     "mm\n"
     "[[pane.impact]]\nat_mm = [168, 165]\n";
 
-class ShownFile : public ::testing::Test {
+class ShownFile : public support::FolderTest {
  protected:
-  ShownFile() {
-    std::string pattern = (fs::temp_directory_path() / "shown-file-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-    file_ = folder_ / "scene.toml";
-    write(shown_scene);
-  }
-  ~ShownFile() override { fs::remove_all(folder_); }
+  ShownFile() { write(shown_scene); }
 
   void write(const std::string& text) const { std::ofstream(file_, std::ios::binary) << text; }
   std::string content() const {
@@ -52,8 +46,7 @@ class ShownFile : public ::testing::Test {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
 
-  fs::path folder_;
-  fs::path file_;
+  const fs::path file_ = folder_ / "scene.toml";
 };
 
 // Looks twice: what changes is read when it has come to rest.

@@ -59,12 +59,6 @@ double share_outside(const geometry::Segment& segment, const std::vector<geometr
   return static_cast<double>(std::max(outside, 0)) / samples;
 }
 
-double perimeter(const geometry::Polygon& ring) {
-  double length = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) length += glm::length(ring[(i + 1) % ring.size()] - ring[i]);
-  return length;
-}
-
 // Does `act` to each side of each face, with the number of the face.
 template <typename Act>
 void each_side(const FacedPane& faced, const Act& act) {
@@ -91,7 +85,7 @@ std::vector<Borders> borders_of(const FacedPane& faced, const std::vector<ShardP
     if (const auto neighbour = faces_at[side.segment][side.forward ? 1 : 0]) borders[face].shared_mm[*neighbour] += length_mm;
   });
   for (const ShardPiece& piece : pieces) {
-    if (!piece.leaves) borders[piece.face].all_mm += perimeter(piece.blank.region.outline);
+    if (!piece.leaves) borders[piece.face].all_mm += geometry::perimeter(piece.blank.region.outline);
   }
   return borders;
 }

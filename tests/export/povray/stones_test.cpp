@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +18,7 @@
 #include "paving/catalogue/finishes.h"
 #include "paving/surface/stone_surface.h"
 #include "relief/raster.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::exporting::povray {
 namespace {
@@ -187,13 +187,11 @@ TEST(Stones, FartherStonesAreCoarser) {
 
 // ---- rendered
 
-class RenderStones : public testing::Test {
+class RenderStones : public support::FolderTest {
  protected:
-  RenderStones() : folder_(fs::temp_directory_path() / ("shatterpave_stones_" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
+  RenderStones() {
     for (const EmbeddedFile& file : embedded_files()) std::ofstream(folder_ / file.name) << file.text;
   }
-  ~RenderStones() override { fs::remove_all(folder_); }
 
   // The picture of a pavement seen from above in slanting light. Fails the test on any status but 0 and on any warning.
   relief::Raster picture(const PavedArea& paved, const std::string& placed = "object { yard_Pavement }") {
@@ -217,9 +215,6 @@ light_source { <1, 9, -2> * 100000 rgb 0.3 parallel point_at 0 }
     EXPECT_EQ(said.find("Warning:"), std::string::npos) << said;
     return relief::read_raster((folder_ / "scene.exr").string());
   }
-
- private:
-  fs::path folder_;
 };
 
 struct Statistics {

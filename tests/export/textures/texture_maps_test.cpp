@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -15,6 +13,7 @@
 #include "export/textures/textures.h"
 #include "pipeline/write.h"
 #include "relief/raster.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::exporting::textures {
 namespace {
@@ -333,12 +332,11 @@ Model small_model(paving::TextureFormat format, double relief_rms_mm = 0.0) {
 
 std::map<std::string, std::string> files_of(const Model& model, int threads) {
   const ThreadLimit limit(threads);
-  const fs::path folder = fs::temp_directory_path() / ("texture-maps-test-" + std::to_string(::getpid()));
+  const support::TemporaryFolder folder;
   std::map<std::string, std::string> files;
-  for (const fs::path& path : pipeline::written_outputs({{}, texture_files(model)}, {"s", "export", ""}, folder).paths) {
+  for (const fs::path& path : pipeline::written_outputs({{}, texture_files(model)}, {"s", "export", ""}, folder.path()).paths) {
     files[path.filename().string()] = bytes_of(path);
   }
-  fs::remove_all(folder);
   return files;
 }
 
@@ -368,11 +366,10 @@ TEST(TextureFiles, AreTheSameForAnyNumberOfThreads) {
 
 TEST(TextureFiles, BaseColourIsSrgbInPngAndLinearInExr) {
   const auto read = [](const std::string& bytes, const std::string& name) {
-    const fs::path path = fs::temp_directory_path() / (std::to_string(::getpid()) + name);
+    const support::TemporaryFolder folder;
+    const fs::path path = folder.path() / name;
     std::ofstream(path, std::ios::binary) << bytes;
-    relief::Raster raster = relief::read_raster(path.string());
-    fs::remove(path);
-    return raster;
+    return relief::read_raster(path.string());
   };
   const relief::Raster png = read(files_of(small_model(paving::TextureFormat::png), 0).at("yard_BaseColor.png"), "c.png");
   const relief::Raster exr = read(files_of(small_model(paving::TextureFormat::exr), 0).at("yard_BaseColor.exr"), "c.exr");

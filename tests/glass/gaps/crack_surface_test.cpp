@@ -151,13 +151,19 @@ TEST(CrackSurface, MeetsWhereItIsLaidAcrossOthers) {
   for (const GapStretch& stretch : meeting) EXPECT_EQ(stretch.surface, cracks.surfaces.size() - 1);
 }
 
-// What is left out is so at all times: a crack that has come to its end is what it will be.
-TEST(CrackSurfacesReal, StayAsTheyAreOnceTheyHaveGrown) {
+// Of the real pattern, long after the impact.
+Pane grown_pane(double mean_radial_count) {
   Pane pane = pane_with(0);
   pane.pattern = Pattern::real;
   pane.impacts[0].radial_count.reset();
-  pane.impacts[0].mean_radial_count = 110;
+  pane.impacts[0].mean_radial_count = mean_radial_count;
   pane.time_us = 1e6;
+  return pane;
+}
+
+// What is left out is so at all times: a crack that has come to its end is what it will be.
+TEST(CrackSurfacesReal, StayAsTheyAreOnceTheyHaveGrown) {
+  Pane pane = grown_pane(110);
   const CrackNetwork network = broken(pane, 1);
   const CrackSurfaces whole = crack_surfaces(pane, network, 1);
   int seen = 0;
@@ -180,16 +186,10 @@ TEST(CrackSurfacesReal, StayAsTheyAreOnceTheyHaveGrown) {
   EXPECT_GT(seen, 30);
 }
 
-// Cracks that pass each other's tips and end on each other; one that runs close by a corner of the outline; and one that ends
-// on another where that one bends just before its own end.
 // Nothing is open that has not broken yet: walls, which lean by less than the pane is thick, lie beside what has grown of their
 // crack.
 TEST(CrackSurfacesReal, EndAtTheTips) {
-  Pane pane = pane_with(0);
-  pane.pattern = Pattern::real;
-  pane.impacts[0].radial_count.reset();
-  pane.impacts[0].mean_radial_count = 40;
-  pane.time_us = 1e6;
+  Pane pane = grown_pane(40);
   const CrackNetwork network = broken(pane, 1);
   int growing = 0;
   for (const double time_us : {40.0, 80.0, 130.0}) {
@@ -217,6 +217,8 @@ TEST(CrackSurfacesReal, EndAtTheTips) {
   EXPECT_GT(growing, 20);
 }
 
+// Cracks that pass each other's tips and end on each other; one that runs close by a corner of the outline; and one that ends
+// on another where that one bends just before its own end.
 TEST(CrackSurfacesRandom, DoNotMeetWhereCracksHookOrEndAtBends) {
   for (const std::uint64_t seed : {20ULL, 126ULL, 232ULL}) {
     Pane pane = random_pane(seed, {3, 20});

@@ -11,6 +11,7 @@
 #include "paving/laying.h"
 #include "scene/plans/outline.h"
 #include "scene/read_scene.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::scene {
 namespace {
@@ -91,12 +92,9 @@ TEST(DirtyPlan, GivesTheSameStones) {
 }
 
 // Scenes that take from plans in a folder of their own.
-class PlanFiles : public testing::Test {
+class PlanFiles : public support::FolderTest {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("shatterpave_plans_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
     write("plan.svg",
           R"(<svg xmlns="http://www.w3.org/2000/svg" width="9000mm" height="9000mm" viewBox="0 0 9000 9000">
 <path id="yard" class="paved" d="M0 0h4000v3000h-4000z"/>
@@ -109,7 +107,6 @@ class PlanFiles : public testing::Test {
           R"("coordinates":[[[13.44,52.473],[13.4401,52.473],[13.4401,52.4731],[13.44,52.4731]]]}},{"type":"Feature","id":"b",)"
           R"("properties":{"class":"tree"},"geometry":{"type":"Point","coordinates":[13.44005,52.47305]}}]})");
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
@@ -131,9 +128,6 @@ class PlanFiles : public testing::Test {
     }
     return "no error";
   }
-
- private:
-  std::filesystem::path folder_;
 };
 
 const std::string yard = "outline_file = \"plan.svg\"\noutline_feature = \"yard\"\n";

@@ -14,21 +14,14 @@
 #include "geometry/polygon.h"
 #include "scene/plans/plan_areas.h"
 #include "scene/read_scene.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::scene {
 namespace {
 
 // A file of its own beside a scene.
-class GeoJsonFile : public testing::Test {
+class GeoJsonFile : public support::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("shatterpave_geojson_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
   void write(const std::string& text, const std::string& name = "a.geojson") const {
     std::ofstream(path(name), std::ios::binary) << text;
@@ -74,9 +67,6 @@ class GeoJsonFile : public testing::Test {
     for (const Note& note : scene(lines).notes) found.push_back(plain(located(note)));
     return found;
   }
-
- private:
-  std::filesystem::path folder_;
 };
 
 std::string rectangle(double x, double y, double width, double height) {

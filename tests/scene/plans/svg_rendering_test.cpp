@@ -17,6 +17,7 @@
 #include "pipeline/subprocess.h"
 #include "relief/raster.h"
 #include "scene/plans/plan_areas.h"
+#include "support/temporary_folder.h"
 
 namespace shatterpave::scene {
 namespace {
@@ -122,15 +123,8 @@ std::vector<double> as_read(const Plan& plan, std::size_t page) {
   return coverage.pixels();
 }
 
-class SvgRendering : public testing::Test {
+class SvgRendering : public support::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("shatterpave_svg_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::vector<double> as_drawn(const std::string& bytes, std::size_t page) const {
     std::ofstream(folder_ / "a.svg", std::ios::binary) << bytes;
     std::string said;
@@ -168,8 +162,6 @@ class SvgRendering : public testing::Test {
     }
     return area < 0.5 ? apart : apart / area;
   }
-
-  std::filesystem::path folder_;
 };
 
 const std::string star = R"x(<path class="star" d="M50 10L75 85L10 38H90L25 85Z"/>)x";
